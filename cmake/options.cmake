@@ -1,0 +1,17 @@
+# What every target of adit is compiled with. Links privately: nothing of it reaches a project that uses ours.
+add_library(adit_options INTERFACE)
+target_compile_features(adit_options INTERFACE cxx_std_20)
+target_compile_options(adit_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
+  # The same bits on every CPU: no fused multiply-add that the source does not ask for.
+  -ffp-contract=off)
+if(ADIT_WERROR)
+  target_compile_options(adit_options INTERFACE -Werror)
+endif()
+if(ADIT_SANITIZE)
+  target_compile_options(adit_options INTERFACE -fsanitize=${ADIT_SANITIZE} -fno-omit-frame-pointer -g
+    -fno-sanitize-recover=all)
+  target_link_options(adit_options INTERFACE -fsanitize=${ADIT_SANITIZE})
+endif()
+if(ADIT_FUZZ)
+  target_compile_options(adit_options INTERFACE -fsanitize=fuzzer-no-link)
+endif()

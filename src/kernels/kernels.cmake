@@ -1,1 +1,6 @@
-target_sources(adit_core PRIVATE)
+target_sources(adit_core PRIVATE
+  structuring_element.cpp
+  morphology.cpp
+  dark_channel.cpp
+  atmospheric_light.cpp
+  region.cpp)

@@ -19,6 +19,9 @@ struct Material {
   float specular = 0.0f;          ///< weight of the specular lobe, 0 to 0.5 (wet)
   float shininess = 30.0f;        ///< its exponent, 1 to 500
   float emission_cd_m2 = 0.0f;    ///< luminance of the surface itself (a lamp's glass), 0 to 1e6
+  float facet_slope = 0.35f;      ///< rms slope of facets finer than the mesh, 0 (smooth pipe) to 1 (blasted rock)
+  float facet_size_m = 0.30f;     ///< size of the largest of them, 0.02 to 2 m
+  Eigen::Vector3f tint = {1.0f, 0.93f, 0.80f};  ///< red, green, blue reflectance relative to albedo, 0 to 1.5
 };
 
 /// Triangles with a material each.

@@ -7,6 +7,9 @@
 namespace adit {
 namespace {
 
+constexpr double kStaleStepMin =
+    0.02;  // of hold_after_s: a frozen stream of frames holds after 50 frames at the latest
+
 /// The dead band is taken off, so that the command grows from zero at its edge instead of jumping.
 double beyond_dead_band(double azimuth_rad, double dead_band_rad) noexcept {
   return std::copysign(std::max(std::abs(azimuth_rad) - dead_band_rad, 0.0), azimuth_rad);
@@ -54,8 +57,10 @@ HeadingCommand HeadingController::tick(double now_s) noexcept {
 }
 
 HeadingCommand HeadingController::stale() noexcept {
-  stale_s_ += interval_s_;
-  return coast_or_hold(interval_s_);
+  // Not nothing, even after two frames that were hardly apart: a stale command must run down.
+  const double step_s = std::max(interval_s_, kStaleStepMin * config_.hold_after_s);
+  stale_s_ += step_s;
+  return coast_or_hold(step_s);
 }
 
 double HeadingController::advance_to(double time_s) noexcept {

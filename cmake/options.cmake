@@ -7,11 +7,13 @@ target_compile_options(adit_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow 
 if(ADIT_WERROR)
   target_compile_options(adit_options INTERFACE -Werror)
 endif()
+
+# Sanitizers must see all of a program, tests and GoogleTest's source too: they are set for this folder and below,
+# which is still nothing to a project that includes ours.
 if(ADIT_SANITIZE)
-  target_compile_options(adit_options INTERFACE -fsanitize=${ADIT_SANITIZE} -fno-omit-frame-pointer -g
-    -fno-sanitize-recover=all)
-  target_link_options(adit_options INTERFACE -fsanitize=${ADIT_SANITIZE})
+  add_compile_options(-fsanitize=${ADIT_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  add_link_options(-fsanitize=${ADIT_SANITIZE})
 endif()
 if(ADIT_FUZZ)
-  target_compile_options(adit_options INTERFACE -fsanitize=fuzzer-no-link)
+  add_compile_options(-fsanitize=fuzzer-no-link)
 endif()

@@ -1,0 +1,7 @@
+#!/usr/bin/env bash
+# The core cross-compiled for 64-bit ARM; its tests run under qemu.
+. "$(dirname "${BASH_SOURCE[0]}")/prelude.sh"
+build_preset aarch64
+file=$(find build/aarch64 -name libadit_core.a)
+aarch64-linux-gnu-objdump -f "$file" | grep -m 1 -q 'elf64-littleaarch64'
+run_ctest build/aarch64

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # C++ sources are formatted as .clang-format says.
 . "$(dirname "${BASH_SOURCE[0]}")/prelude.sh"
-git ls-files -z '*.cpp' '*.hpp' '*.h' '*.inc' | xargs -0 -r clang-format-14 --dry-run --Werror
+find include src io sim tools tests bench ros -type f \( -name '*.cpp' -o -name '*.hpp' -o -name '*.inc' \) -print0 \
+  2> /dev/null | xargs -0 clang-format-14 --dry-run --Werror
 tally 1 0 0

@@ -3,7 +3,7 @@
 . "$(dirname "${BASH_SOURCE[0]}")/prelude.sh"
 build_preset core-only-clang -DCMAKE_DISABLE_FIND_PACKAGE_OpenCV=ON
 
-mapfile -t sources < <(git ls-files 'src/*.cpp')
+mapfile -t sources < <(find src -name '*.cpp' | sort)
 status=0
 if printf '%s\0' "${sources[@]}" |
   xargs -0 -n 1 -P "$jobs" clang-tidy-14 --quiet -p build/core-only-clang > build/clang-tidy.log 2>&1; then

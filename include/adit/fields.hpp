@@ -17,6 +17,7 @@ struct FieldNote {
   double maximum;       ///< largest value allowed; enumerations: number of names - 1
   const char* meaning;  ///< one sentence
   const char* source;   ///< equation, paper or reason
+  bool odd = false;     ///< a size about a middle pixel: odd, or 0 where 0 is allowed
 };
 
 /// Calls visit(const FieldNote&, member&) for each field, in the order of the struct. `Config` may be const.
@@ -26,17 +27,18 @@ void visit_fields(Config& c, Visitor&& visit) {
   visit(FieldNote{"method", "", 0, 0, "Chain of stages that answers.", "paper: as published"}, c.method);
   visit(FieldNote{"patch_size_px", "px", 0, 1023,
                   "Side of the dark channel's patch, odd; 0 takes patch_size_vga_px scaled with the frame's width.",
-                  "eq. 3"},
+                  "eq. 3", true},
         c.patch_size_px);
-  visit(FieldNote{"patch_size_vga_px", "px", 1, 1023, "Side of the patch for frames 640 px wide, odd.", "eq. 3: 15"},
+  visit(FieldNote{"patch_size_vga_px", "px", 1, 1023, "Side of the patch for frames 640 px wide, odd.", "eq. 3: 15",
+                  true},
         c.patch_size_vga_px);
   visit(FieldNote{"structuring_element_size_px", "px", 0, 1023,
                   "Diameter of the closing's element, odd; 0 takes structuring_element_size_vga_px scaled with the "
                   "frame's width.",
-                  "eq. 5"},
+                  "eq. 5", true},
         c.structuring_element_size_px);
   visit(FieldNote{"structuring_element_size_vga_px", "px", 1, 1023,
-                  "Diameter of the element for frames 640 px wide, odd.", "not given in the paper; as the patch"},
+                  "Diameter of the element for frames 640 px wide, odd.", "not given in the paper; as the patch", true},
         c.structuring_element_size_vga_px);
   visit(FieldNote{"omega", "", 0.01, 1, "Share of the haze that counts in the transmission.",
                   "eq. 3; 0.95 is He et al. (2011)"},

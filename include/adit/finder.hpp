@@ -49,11 +49,12 @@ struct FinderConfig {
   double area_fraction_min = 0.002;
 };
 
-/// Why a configuration is refused: "omega: 1.5 is not in (0, 1]". Empty when it is good.
+/// Why a configuration is refused: "omega: 1.5 is not in [0.01, 1]; set a value in this range".
+/// Empty when it is good.
 [[nodiscard]] std::optional<std::string> fault_of(const FinderConfig& config);
 
 /// What a size given for 640 x 480 is at another width: scaled with the width (the same angle for the same lens),
-/// to the nearest odd number (downwards in a tie), at least 1 and at most 1023. 15 gives 15 at 640, 91 at 3840, 7 at
+/// to the nearest odd number (upwards in a tie), at least 1 and at most 1023. 15 gives 15 at 640, 91 at 3840, 7 at
 /// 320.
 [[nodiscard]] int scaled_size_px(int size_vga_px, int width_px) noexcept;
 
@@ -74,6 +75,7 @@ inline constexpr int kStatusCount = 7;
 [[nodiscard]] std::string_view to_string(Method method) noexcept;
 [[nodiscard]] std::string_view to_string(Clustering clustering) noexcept;
 /// The other way round; false and no change when the name is unknown.
+[[nodiscard]] bool parse(std::string_view name, Status& status) noexcept;
 [[nodiscard]] bool parse(std::string_view name, Method& method) noexcept;
 [[nodiscard]] bool parse(std::string_view name, Clustering& clustering) noexcept;
 
@@ -117,7 +119,7 @@ struct OpenSpace {
   Clusters clusters;
 
   std::array<std::int64_t, kStageCount> stage_ns{};  ///< time each stage took, by a steady clock
-  std::int64_t total_ns = 0;                         ///< the whole call
+  std::int64_t total_ns = 0;                         ///< the whole chain; 0 for a frame that was not judged
 
   [[nodiscard]] bool found() const noexcept { return status == Status::kFound; }
 };
@@ -152,6 +154,7 @@ class OpenSpaceFinder {
 
   /// Sizes all buffers for frames of this size, so that find() never allocates on them. find() does the same by itself
   /// at the first frame of a new size, and answers kBadFrame if there is no memory for it.
+  /// @throws std::invalid_argument for a side outside [kSideMin_px, kSideMax_px], std::bad_alloc.
   void reserve(int width, int height);
 
   /// Judges one frame. Reads the pixels, never writes them. Allocates nothing once sized.

@@ -40,8 +40,11 @@ struct HeadingCommand {
 /// The one place where the sign turns: azimuth is positive to the right, yaw positive to the left.
 [[nodiscard]] constexpr double yaw_of_azimuth(double azimuth_rad) noexcept { return -azimuth_rad; }
 
-/// Proportional steering with a dead band, a limit on the rate and on its change, and a hold.
+/// Proportional steering with a dead band (taken off the azimuth, so that nothing jumps at its edge), a limit on the
+/// rate and on its change, and a hold.
 /// A command is made from the frame it is called with, or it is on its way to zero: an old bearing is never used again.
+/// The first frame, and the first after a gap of hold_after_s or more, steers from rate zero with no time passed: its
+/// rate is 0.
 class HeadingController {
  public:
   /// @throws std::invalid_argument naming the field, the value and the range.
@@ -50,24 +53,33 @@ class HeadingController {
   [[nodiscard]] const HeadingConfig& config() const noexcept { return config_; }
 
   /// A new judged frame.
-  /// @param stamp_s  when it was taken. A stamp that is not later than the last one, or not finite, is stale:
-  ///                 its bearing is not used. After a jump backwards by more than hold_after_s (a bag that starts
-  ///                 again) the controller starts afresh from rate zero.
+  /// @param stamp_s  when it was taken. A stamp that is not later than that of the last frame, or not finite, is stale:
+  ///                 its bearing is not used. It says nothing about the time, so it counts as one more interval like
+  ///                 the last: a camera that hangs and sends one frame for ever is coasted on, then held on.
+  ///                 After a jump backwards by more than hold_after_s (a bag that starts again) the controller starts
+  ///                 afresh from rate zero.
   HeadingCommand update(const OpenSpace& open_space, double stamp_s) noexcept;
 
-  /// The command when no new frame has come by now_s (a watchdog's question).
+  /// The command when no new frame has come by now_s (a watchdog's question), on the same time line as the stamps. It
+  /// lets the rate run down, so ask only when a frame is overdue. A frame taken before the last tick is still used, but
+  /// the time up to the tick is spent: the rate cannot change by more than the limit allows from the tick on.
   HeadingCommand tick(double now_s) noexcept;
 
   /// Forgets everything: the next command starts from rate zero.
   void reset() noexcept;
 
  private:
-  HeadingCommand coast_or_hold(double now_s) noexcept;
+  HeadingCommand stale() noexcept;
+  HeadingCommand coast_or_hold(double elapsed_s) noexcept;
+  double advance_to(double time_s) noexcept;
   double limited(double wanted_rad_s, double elapsed_s) const noexcept;
 
   HeadingConfig config_;
-  std::optional<double> last_time_s_;   ///< of the last accepted update or tick
+  std::optional<double> last_stamp_s_;  ///< of the last frame that was not stale
+  std::optional<double> last_time_s_;   ///< the latest stamp or tick
   std::optional<double> last_found_s_;  ///< stamp of the last bearing that was used
+  double interval_s_ = 0.0;             ///< the last time that passed between two calls
+  double stale_s_ = 0.0;                ///< time that stale calls since then stand for
   double yaw_rate_rad_s_ = 0.0;         ///< the last command
 };
 

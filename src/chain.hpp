@@ -1,0 +1,50 @@
+// What an OpenSpaceFinder owns: its configuration, its camera and the buffers for one size of frame.
+#pragma once
+
+#include <new>
+#include <optional>
+#include <stdexcept>
+
+#include "adit/dark_channel.hpp"
+#include "adit/finder.hpp"
+#include "adit/morphology.hpp"
+#include "adit/region.hpp"
+
+namespace adit {
+
+/// Buffers and elements for frames of one size. Made whole or not at all.
+struct Workspace {
+  Workspace(const FinderConfig& config, int width_px, int height_px);
+
+  [[nodiscard]] PlaneView dark() noexcept { return {dark_pixels.data(), width, height, width}; }
+  [[nodiscard]] PlaneView closed() noexcept { return {closed_pixels.data(), width, height, width}; }
+
+  int width;
+  int height;
+  StructuringElement patch;
+  StructuringElement element;
+  Camera assumed_camera;  ///< stands in where no calibration is given
+  MorphologyScratch scratch;
+  std::vector<std::uint8_t> dark_pixels;
+  std::vector<std::uint8_t> closed_pixels;
+  std::vector<std::uint32_t> columns;
+  LevelTable transmission{};  ///< of the last frame, as is the next
+  LevelTable depth{};
+};
+
+struct OpenSpaceFinder::Chain {
+  explicit Chain(const FinderConfig& c) : config(c) {}
+
+  /// kFound for a frame that can be judged, with the workspace sized for it.
+  [[nodiscard]] Status admit(const ImageView& frame) noexcept;
+  void reserve(int width, int height);
+  [[nodiscard]] const Camera& camera() const noexcept {
+    return calibrated_camera ? *calibrated_camera : workspace->assumed_camera;
+  }
+
+  FinderConfig config;
+  std::optional<Camera> calibrated_camera;
+  std::optional<Workspace> workspace;
+};
+
+}  // namespace adit

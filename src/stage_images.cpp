@@ -1,0 +1,56 @@
+#include <algorithm>
+
+#include "chain.hpp"
+
+namespace adit {
+namespace {
+
+template <class Value>
+std::vector<Value> looked_up(const std::vector<std::uint8_t>& levels, const std::array<Value, 256>& table) {
+  std::vector<Value> out(levels.size());
+  std::transform(levels.begin(), levels.end(), out.begin(), [&table](std::uint8_t level) { return table[level]; });
+  return out;
+}
+
+std::array<float, 256> as_floats(const LevelTable& table) {
+  std::array<float, 256> out{};
+  std::transform(table.begin(), table.end(), out.begin(), [](double value) { return static_cast<float>(value); });
+  return out;
+}
+
+std::array<std::uint8_t, 256> cluster_table(const Clusters& clusters) {
+  std::array<std::uint8_t, 256> out{};
+  int cluster = 0;
+  for (int level = 0; level < 256; ++level) {
+    while (cluster + 1 < clusters.count && level > clusters.last_level[static_cast<std::size_t>(cluster)]) ++cluster;
+    out[static_cast<std::size_t>(level)] = static_cast<std::uint8_t>(cluster);
+  }
+  return out;
+}
+
+std::array<std::uint8_t, 256> binary_table(int threshold_level) {
+  std::array<std::uint8_t, 256> out{};
+  std::fill_n(out.begin(), threshold_level + 1, std::uint8_t{255});
+  return out;
+}
+
+}  // namespace
+
+OpenSpace OpenSpaceFinder::explain(const ImageView& frame, StageImages& images) {
+  images = {};
+  const OpenSpace out = find(frame);
+  if (out.status == Status::kBadFrame || out.status == Status::kWrongSize) return out;
+  const Workspace& work = *chain_->workspace;
+  images.width = work.width;
+  images.height = work.height;
+  images.dark_channel = work.dark_pixels;
+  images.transmission = looked_up(work.dark_pixels, as_floats(work.transmission));
+  images.scattering_depth = looked_up(work.dark_pixels, as_floats(work.depth));
+  images.closing = looked_up(work.closed_pixels, as_floats(work.depth));
+  images.closing_level = work.closed_pixels;
+  images.cluster = looked_up(work.closed_pixels, cluster_table(out.clusters));
+  images.binary = looked_up(work.closed_pixels, binary_table(out.threshold_level));
+  return out;
+}
+
+}  // namespace adit

@@ -40,7 +40,7 @@ struct WorldLamp {
   float emitter_radius_m = 0.1f;  ///< of the sphere that is seen, 0.01 to 0.5 m
 };
 
-/// A point of a passage's axis.
+/// A point of a passage's axis. The axis lies on the nominal floor, in the middle of the passage.
 struct AxisPoint {
   Eigen::Vector3f place = Eigen::Vector3f::Zero();
   float width_m = 0.0f;

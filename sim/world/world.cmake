@@ -1,0 +1,18 @@
+# Worlds: procedural courses, Gazebo worlds, bare meshes.
+find_package(Eigen3 REQUIRED NO_MODULE)
+find_package(TBB REQUIRED)
+find_package(fmt REQUIRED)
+find_package(yaml-cpp REQUIRED)
+target_sources(adit_sim PRIVATE
+  world/axis.cpp
+  world/build_course.cpp
+  world/course_check.cpp
+  world/course_yaml.cpp
+  world/layout.cpp
+  world/layout_moves.cpp
+  world/layout_random.cpp
+  world/noise.cpp
+  world/passage_field.cpp
+  world/rock.cpp
+  world/surface_nets.cpp)
+target_link_libraries(adit_sim PUBLIC Eigen3::Eigen PRIVATE TBB::tbb fmt::fmt yaml-cpp)

@@ -19,7 +19,7 @@ ExitCode refuse(ExitCode code, const std::exception& reason) {
 
 int run(int argc, char** argv) {
   CLI::App app{"Where the open space is, in the dark, from one camera.", "adit"};
-  app.set_version_flag("--version", ADIT_VERSION);
+  app.set_version_flag("--version", "adit " ADIT_VERSION);
   app.require_subcommand(1);
   app.footer("Example: adit run data/clip.avi --csv headings.csv");
   ExitCode exit_code = adit::tools::kSuccess;

@@ -7,8 +7,39 @@
 #include <string>
 
 #include "adit/io/errors.hpp"
+#include "image_bytes.hpp"
+#include "text_file.hpp"
 
 namespace adit::io {
+namespace {
+
+/// Everything but JPEG. Returns why not, "" when the image is whole.
+std::string decode_by_opencv(const Bytes& bytes, cv::Mat& image) {
+  try {
+    image = cv::imdecode(bytes, cv::IMREAD_UNCHANGED | cv::IMREAD_IGNORE_ORIENTATION);
+  } catch (const cv::Exception&) {  // sizes beyond OpenCV's limits
+    image.release();
+  }
+  return image.empty() ? "truncated, damaged, or not an image of a kind that is read (png, jpg, bmp, tif, pgm, ppm)"
+                       : "";
+}
+
+std::string decode(const Bytes& bytes, cv::Mat& image) {
+  if (is_jpeg(bytes)) return decode_jpeg(bytes, image);
+  if (!is_png(bytes)) return decode_by_opencv(bytes, image);
+  Bytes plain;
+  const std::string fault = check_png(bytes, plain);
+  return fault.empty() ? decode_by_opencv(plain, image) : fault;
+}
+
+/// Brings what the finder does not take (16-bit colour) to what it does. Returns why that cannot be.
+std::string to_known_type(cv::Mat& image) {
+  if (image.depth() == CV_16U && image.channels() > 1) image.convertTo(image, CV_8U, 1.0 / 257.0);
+  if (view_of(image).data != nullptr) return "";
+  return "its pixels are neither 8-bit grey or colour nor 16-bit grey";
+}
+
+}  // namespace
 
 bool is_image_name(const std::filesystem::path& path) {
   std::string extension = path.extension().string();
@@ -19,8 +50,10 @@ bool is_image_name(const std::filesystem::path& path) {
 }
 
 cv::Mat read_image(const std::filesystem::path& path) {
-  cv::Mat image = cv::imread(path.string(), cv::IMREAD_UNCHANGED | cv::IMREAD_IGNORE_ORIENTATION);
-  if (image.empty()) throw InputError(path.string() + ": not an image that can be read");
+  cv::Mat image;
+  std::string fault = decode(read_bytes(path), image);
+  if (fault.empty()) fault = to_known_type(image);
+  if (!fault.empty()) throw InputError(path.string() + ": " + fault);
   return image;
 }
 

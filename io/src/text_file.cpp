@@ -40,7 +40,7 @@ std::string read_into(const std::filesystem::path& path, std::size_t bytes_max, 
     if (bytes.size() + static_cast<std::size_t>(got) > bytes_max) return "is far too large";
     bytes.insert(bytes.end(), block, block + got);
   }
-  return bytes.empty() ? "the file is empty" : "";
+  return bytes.empty() ? kEmptyFile : "";
 }
 
 }  // namespace
@@ -51,7 +51,7 @@ std::string fault_of_file(const std::filesystem::path& path) {
     return errno == ENOENT || errno == ENOTDIR ? "no such file" : std::strerror(errno);
   }
   if (S_ISDIR(status.st_mode)) return "is a folder, not a file";
-  if (S_ISREG(status.st_mode) && status.st_size == 0) return "the file is empty";
+  if (S_ISREG(status.st_mode) && status.st_size == 0) return kEmptyFile;
   return "";
 }
 

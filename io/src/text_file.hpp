@@ -7,6 +7,9 @@
 
 namespace adit::io {
 
+/// What fault_of_file() says of a file of no bytes.
+inline constexpr const char* kEmptyFile = "the file is empty";
+
 /// Why a path cannot be opened as a file, for a person: "no such file", "is a folder", ...; empty when it can.
 [[nodiscard]] std::string fault_of_file(const std::filesystem::path& path);
 

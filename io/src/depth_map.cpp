@@ -75,7 +75,7 @@ cv::Mat depth_map(const StageImages& stages) {
     auto* row = levels.ptr<std::uint8_t>(v);
     for (int u = 0; u < stages.width; ++u, ++depth) {
       // A map of one depth is drawn as far: nothing in it is known to be near.
-      const double share = span > 0.0 ? (*depth - *low) / span : 0.0;
+      const double share = span > 0.0 ? std::sqrt((*depth - *low) / span) : 0.0;
       row[u] = static_cast<std::uint8_t>(std::lround(255.0 * share));
     }
   }

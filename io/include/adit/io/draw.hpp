@@ -25,7 +25,8 @@ void draw_overlay(cv::Mat& bgr, const OpenSpace& open_space, std::optional<Headi
 
 /// The scattering depth in colour, 8-bit BGR, of the frame's size: black and violet is far, yellow is near (the
 /// polarity of the lamp-lit tunnel: the smallest depth is the farthest place). An even grey where no depth was made.
-/// The scale runs from the frame's smallest to its largest closed depth.
+/// The scale runs from the frame's smallest to its largest closed depth, as its square root: the dark end is where the
+/// openings are, and the bright floor would take the colours from it.
 [[nodiscard]] cv::Mat depth_map(const StageImages& stages);
 
 /// Fig. 2 of the paper: the frame with its overlay on the left, the closed depth map with the same circle on the right,

@@ -1,10 +1,10 @@
 #include "drawn_tunnel.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
 
 #include "rock.hpp"
 
@@ -17,6 +17,8 @@ constexpr double kStart_m = 3.0;
 constexpr double kLampOffset_m = 0.18;  // each lamp to its side of the lens
 constexpr double kLampLobe = 3.0;       // a flood: cos^3 about the axis
 constexpr double kLampTilt = -0.15;     // a little towards the floor
+constexpr double kBounce = 0.12;        // light that the rock around throws into joints and shadows
+constexpr double kLensBlur_px = 0.8;    // of 640, deviation
 constexpr double kExposure = 24.0;      // full well is 1
 constexpr double kFullWell_electrons = 3000.0;
 constexpr double kReadNoise_electrons = 9.0;
@@ -89,14 +91,12 @@ Vec radiance(const View& view, Vec along) {
     const Vec way = lamp - hit;
     const double distance = length(way);
     const Vec to_lamp = way * (1.0 / distance);
-    const double facing = dot(normal, to_lamp);
-    const double lobe = -dot(to_lamp, lamp_axis);
-    if (facing <= 0.0 || lobe <= 0.0) continue;
-    if (is_shadowed(hit, to_lamp, std::min(distance, 2.5))) continue;
-    light += std::pow(lobe, kLampLobe) * facing / (distance * distance);
+    const double facing = std::max(0.0, dot(normal, to_lamp));
+    const double lobe = std::max(0.0, -dot(to_lamp, lamp_axis));
+    const double arriving = std::pow(lobe, kLampLobe) / (distance * distance);
+    const bool is_lit = facing > 0.0 && !is_shadowed(hit, to_lamp, std::min(distance, 2.5));
+    light += arriving * ((is_lit ? facing : 0.0) + kBounce);
   }
-  // What the walls throw at each other: a little, falling more slowly than the direct light.
-  light += 0.012 / (1.0 + 0.4 * range * range) * (0.6 + 0.4 * normal.y);
   return albedo(hit) * light;
 }
 
@@ -115,12 +115,10 @@ std::uint8_t developed(double exposed, double chance_bell) {
   return static_cast<std::uint8_t>(std::lround(255.0 * curve));
 }
 
-}  // namespace
-
-cv::Mat tunnel_frame(int index, int width, int height) {
-  const View view = view_at(index / kRate_hz);
+/// Exposed light for each pixel, before the sensor, in the order blue, green, red.
+cv::Mat exposed_light(const View& view, int width, int height) {
   const double focal_px = width / 2.0 / std::tan(kHfov_deg / 2.0 * std::numbers::pi / 180.0);
-  cv::Mat frame(height, width, CV_8UC3);
+  cv::Mat exposed(height, width, CV_64FC3);
   cv::parallel_for_({0, height}, [&](const cv::Range& rows) {
     for (int v = rows.start; v < rows.end; ++v) {
       for (int u = 0; u < width; ++u) {
@@ -129,15 +127,27 @@ cv::Mat tunnel_frame(int index, int width, int height) {
         const double off_axis = dot(along, view.ahead);
         const double vignette = off_axis * off_axis * off_axis;
         const Vec light = radiance(view, along) * (kExposure * vignette);
-        const std::array<double, 3> bgr{light.z * 0.92, light.y, light.x};
-        auto& pixel = frame.at<cv::Vec3b>(v, u);
-        for (int c = 0; c < 3; ++c) {
-          pixel[c] =
-              developed(bgr[static_cast<std::size_t>(c)], bell(u, v, index, 200U + 2U * static_cast<unsigned>(c)));
-        }
+        exposed.at<cv::Vec3d>(v, u) = {light.z * 0.92, light.y, light.x};
       }
     }
   });
+  return exposed;
+}
+
+}  // namespace
+
+cv::Mat tunnel_frame(int index, int width, int height) {
+  cv::Mat exposed = exposed_light(view_at(index / kRate_hz), width, height);
+  cv::GaussianBlur(exposed, exposed, {}, kLensBlur_px * width / 640.0);
+  cv::Mat frame(height, width, CV_8UC3);
+  for (int v = 0; v < height; ++v) {
+    for (int u = 0; u < width; ++u) {
+      for (int c = 0; c < 3; ++c) {
+        frame.at<cv::Vec3b>(v, u)[c] =
+            developed(exposed.at<cv::Vec3d>(v, u)[c], bell(u, v, index, 200U + 2U * static_cast<unsigned>(c)));
+      }
+    }
+  }
   return frame;
 }
 

@@ -14,10 +14,10 @@ namespace {
 
 constexpr int kWidth_px = 1920;
 constexpr int kMargin_px = 36;
-constexpr int kTitle_px = 96;
-constexpr int kHeading_px = 44;
+constexpr int kTitle_px = 84;
+constexpr int kHeading_px = 58;
 constexpr int kArrow_px = 30;  // room between two stages
-constexpr int kCaption_px = 92;
+constexpr int kCaption_px = 84;
 constexpr int kFigures_px = 330;
 
 /// Height of a picture of the frame's shape at a width; extreme shapes are letterboxed.
@@ -50,9 +50,9 @@ void draw_panel_title(cv::Mat& panel, const PanelSubject& subject) {
 
 void draw_section(cv::Mat& panel, int top, const std::string& name, const std::string& remark) {
   const Lettering bold{15, kInk, true, Align::kLeft};
-  write_text(panel, name, {kMargin_px, top + 12}, bold);
+  write_text(panel, name, {kMargin_px, top + 28}, bold);
   const Lettering faint{14, kFaint, false, Align::kLeft};
-  write_text(panel, remark, {kMargin_px + size_of_text(name, bold).width + 24, top + 12}, faint);
+  write_text(panel, remark, {kMargin_px + size_of_text(name, bold).width + 24, top + 28}, faint);
 }
 
 /// Fig. 2. Drawn at the size it is shown at, so that the circle and the words are as large on every frame.

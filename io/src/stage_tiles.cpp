@@ -90,18 +90,18 @@ std::vector<StageTile> stage_tiles(const PanelSubject& subject) {
   std::vector<StageTile> tiles;
   tiles.push_back({bgr_of(subject.frame, config.grey16_depth_bits), "frame", "I, eq. (1)",
                    "a = " + text_of("%.1f", seen.atmospheric_light) + " of 255"});
-  tiles.push_back({grey_picture(dark), "dark channel", "min over colour, patch; (3)",
+  tiles.push_back({grey_picture(dark), "dark channel", "min of colours, patch; (3)",
                    size_note("patch", config.patch_size_px, config.patch_size_vga_px, width)});
   tiles.push_back({transmission_picture(plane_of(stages.transmission, stages, CV_32F)), "transmission",
-                   "t = 1 - omega dark / a; (3)", "omega = " + text_of("%.2f", config.omega)});
+                   "1 - omega dark / a; (3)", "omega = " + text_of("%.2f", config.omega)});
   tiles.push_back({depth_picture(stages), "scattering depth", "d = -ln(t) / beta; (2)",
                    "beta = " + text_of("%g", config.scattering_coefficient)});
   tiles.push_back(
-      {has_depth ? depth_map(stages) : cv::Mat(), "closing", "dilate, then erode; (4), (5)",
+      {has_depth ? depth_map(stages) : cv::Mat(), "closing", "dilate, erode; (4), (5)",
        size_note("ellipse", config.structuring_element_size_px, config.structuring_element_size_vga_px, width)});
   tiles.push_back({cluster_picture(plane_of(stages.cluster, stages, CV_8U), seen.clusters.count), "clusters",
                    "k-means; (6), (7)", k + " clusters, " + std::string(to_string(config.clustering))});
-  tiles.push_back({binary_picture(plane_of(stages.binary, stages, CV_8U), seen), "darkest cluster, centroid",
+  tiles.push_back({binary_picture(plane_of(stages.binary, stages, CV_8U), seen), "darkest, centroid",
                    "moments; (8), (9)", text_of("%.1f %% of the frame", 100.0 * seen.area_fraction)});
   return tiles;
 }

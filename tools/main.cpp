@@ -24,6 +24,7 @@ int run(int argc, char** argv) {
   app.footer("Example: adit run data/clip.avi --csv headings.csv");
   ExitCode exit_code = adit::tools::kSuccess;
   adit::tools::add_run(app, exit_code);
+  adit::tools::add_explain(app, exit_code);
   adit::tools::add_config(app, exit_code);
   try {
     app.parse(argc, argv);

@@ -10,6 +10,7 @@ namespace adit::tools {
 // Each adds one subcommand whose callback does the work and sets exit_code, or throws io::InputError,
 // io::ConfigError or io::OutputError, which main() prints as one line and turns into an exit code.
 void add_run(CLI::App& app, ExitCode& exit_code);
+void add_explain(CLI::App& app, ExitCode& exit_code);
 void add_config(CLI::App& app, ExitCode& exit_code);
 
 }  // namespace adit::tools

@@ -1,10 +1,14 @@
 // `adit`: one program, a file for each subcommand.
 #include <CLI/CLI.hpp>
-#include <cstdio>
+#include <cstdlib>
 #include <exception>
+#include <iostream>
+#include <opencv2/core/utility.hpp>
+#include <opencv2/core/utils/logger.hpp>
 
 #include "adit/io/errors.hpp"
 #include "exit_code.hpp"
+#include "progress.hpp"
 #include "subcommands.hpp"
 #include "version.hpp"
 
@@ -13,14 +17,31 @@ namespace {
 using adit::tools::ExitCode;
 
 ExitCode refuse(ExitCode code, const std::exception& reason) {
-  std::fprintf(stderr, "adit: %s\n", reason.what());
+  adit::tools::print_line(std::string("adit: ") + reason.what());
   return code;
 }
 
-int run(int argc, char** argv) {
+/// What goes wrong is said by us, once, with the file's name; the libraries beneath stay silent.
+void silence_libraries() {
+  ::setenv("OPENCV_FFMPEG_LOGLEVEL", "-8", 0);  // AV_LOG_QUIET; read when the first video is opened
+  cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
+  std::cerr.rdbuf(nullptr);  // cv::imdecode speaks here
+  // Frames are shared out over our own threads.
+  cv::setNumThreads(1);
+}
+
+/// "--jobs: Value 0 not in range (see adit run --help)", on one line.
+std::string usage_fault(const CLI::App* app, const CLI::Error& error) {
+  std::string program = "adit";
+  for (const CLI::App* chosen : app->get_subcommands()) program += " " + chosen->get_name();
+  return std::string("adit: ") + error.what() + " (see " + program + " --help)\n";
+}
+
+ExitCode run(int argc, char** argv) {
   CLI::App app{"Where the open space is, in the dark, from one camera.", "adit"};
   app.set_version_flag("--version", "adit " ADIT_VERSION);
   app.require_subcommand(1);
+  app.failure_message(usage_fault);
   app.footer("Example: adit run data/clip.avi --csv headings.csv");
   ExitCode exit_code = adit::tools::kSuccess;
   adit::tools::add_run(app, exit_code);
@@ -29,8 +50,16 @@ int run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
     return exit_code;
+  } catch (const CLI::Success& e) {  // --help, --version
+    app.exit(e, std::cout);
+    return adit::tools::kSuccess;
   } catch (const CLI::ParseError& e) {
-    return app.exit(e) == 0 ? adit::tools::kSuccess : adit::tools::kUsage;
+    std::ostringstream text;
+    app.exit(e, text, text);
+    std::string line = text.str();
+    if (!line.empty() && line.back() == '\n') line.pop_back();
+    adit::tools::print_line(line);
+    return adit::tools::kUsage;
   } catch (const adit::io::ConfigError& e) {
     return refuse(adit::tools::kBadConfiguration, e);
   } catch (const adit::io::InputError& e) {
@@ -44,6 +73,7 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   try {
+    silence_libraries();
     return run(argc, argv);
   } catch (const std::exception& e) {
     return refuse(adit::tools::kUnexpected, e);

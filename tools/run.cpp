@@ -1,10 +1,193 @@
+// `adit run`: frames in, a table of headings out, and pictures for people.
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <thread>
+
+#include "adit/io/frame_source.hpp"
+#include "finder_options.hpp"
+#include "frame_line.hpp"
+#include "interrupt.hpp"
+#include "progress.hpp"
+#include "run_outputs.hpp"
 #include "subcommands.hpp"
+#include "tally.hpp"
 
 namespace adit::tools {
+namespace {
+
+struct RunOptions {
+  std::vector<std::string> inputs;
+  FinderOptions finder;
+  OutputOptions outputs;
+  io::SourceOptions sources;
+  int jobs = static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1u, 256u));
+  std::int64_t limit = 0;  ///< 0: none
+  bool quiet = false;
+};
+
+using Sources = std::vector<std::unique_ptr<io::FrameSource>>;
+
+/// Frames of all sources, where all know theirs.
+std::optional<std::int64_t> total_of(const Sources& sources, std::int64_t limit) {
+  std::int64_t total = 0;
+  for (const auto& source : sources) {
+    const auto count = source->frame_count();
+    if (!count) return limit > 0 ? std::optional(limit) : std::nullopt;
+    total += *count;
+  }
+  return limit > 0 ? std::min(total, limit) : total;
+}
+
+bool table_on_terminal(const OutputOptions& outputs) {
+  const bool on_stdout = outputs.csv == "-" || outputs.jsonl == "-" ||
+                         (outputs.csv.empty() && outputs.jsonl.empty() && !outputs.wants_pictures());
+  return on_stdout && ::isatty(STDOUT_FILENO) == 1;
+}
+
+/// One run from the first frame to the last.
+class Run {
+ public:
+  explicit Run(const RunOptions& options)
+      : options_(options),
+        settings_(line_settings()),
+        sources_(io::open_sources(options.inputs, options.sources)),
+        total_(total_of(sources_, options.limit)),
+        outputs_(options.outputs, sources_.front()->rate_hz()),
+        progress_(total_, "frames", options.quiet || table_on_terminal(options.outputs)),
+        line_(
+            settings_, [this](FrameWork& work) { take_judged(work); }, [this](FrameWork& work) { take_drawn(work); }) {}
+
+  ExitCode operator()() {
+    for (const auto& source : sources_) {
+      if (!take_source(*source)) break;
+    }
+    line_.finish();
+    progress_.clear();
+    return end();
+  }
+
+ private:
+  LineSettings line_settings() const {
+    return {configuration_of(options_.finder), camera_of(options_.finder), options_.jobs,
+            !options_.outputs.video.empty(), !options_.outputs.frames_folder.empty()};
+  }
+
+  /// False when the run is to end.
+  bool take_source(io::FrameSource& source) {
+    line_.begin_source(source.is_sequence());
+    while (!is_interrupted() && (options_.limit == 0 || pushed_ < options_.limit)) {
+      std::optional<io::Frame> frame = source.next();
+      if (!frame) {
+        if (!source.fault().empty()) {
+          early_ends_.push_back(source.fault());
+          progress_.say("adit: " + source.fault());
+        }
+        return true;
+      }
+      line_.push(std::move(*frame));
+      ++pushed_;
+    }
+    return false;
+  }
+
+  void take_judged(FrameWork& work) {
+    if (work.open_space) {
+      tally_.add(work.open_space->status);
+      if (!work.why.empty() && !mismatch_told_) {
+        mismatch_told_ = true;
+        progress_.say("adit: " + work.frame.source + ": " + work.why + " (told once; see the column message)");
+      }
+    } else {
+      tally_.add_unreadable();
+      progress_.say("adit: " + work.why);
+    }
+    if (tally_.judged() > 0) outputs_.release();
+    outputs_.write_row(
+        {work.frame.source, work.frame.index, work.frame.stamp_s, work.open_space, work.command, work.why});
+    progress_.show(tally_.frames());
+  }
+
+  void take_drawn(FrameWork& work) {
+    if (!work.png.empty()) outputs_.write_frame(work.number, work.frame.source, work.png);
+    if (!work.panel.empty()) outputs_.write_video(work.panel);
+  }
+
+  ExitCode end() {
+    const bool interrupted = is_interrupted();
+    const ExitCode code = tally_.exit_code();
+    // A run that judged nothing leaves nothing behind; why has been said.
+    if (interrupted || tally_.judged() > 0) outputs_.commit();
+    if (!options_.quiet && tally_.frames() > 1) print_summary();
+    if (interrupted) {
+      print_line("adit: interrupted after " + std::to_string(tally_.frames()) +
+                 (total_ ? " of " + std::to_string(*total_) : std::string()) + " frames; what was written is whole");
+      return kInterrupted;
+    }
+    return code == kSuccess && !early_ends_.empty() ? kSomeUnreadable : code;
+  }
+
+  void print_summary() const {
+    const double seconds = progress_.elapsed_s();
+    char pace[64];
+    std::snprintf(pace, sizeof pace, "; %.1f s, %.1f frames a second", seconds,
+                  static_cast<double>(tally_.frames()) / std::max(seconds, 1e-9));
+    print_line(tally_.text() + pace);
+  }
+
+  const RunOptions& options_;
+  LineSettings settings_;
+  Sources sources_;
+  std::optional<std::int64_t> total_;
+  RunOutputs outputs_;
+  Progress progress_;
+  Tally tally_;
+  std::vector<std::string> early_ends_;
+  std::int64_t pushed_ = 0;
+  bool mismatch_told_ = false;
+  FrameLine line_;  ///< last: it calls back into the others
+};
+
+void add_options(CLI::App& run, RunOptions& options) {
+  run.add_option("input", options.inputs, "Images, folders, patterns, videos, /dev/videoN")
+      ->required()
+      ->type_name("INPUT...");
+  run.add_option("--csv", options.outputs.csv, "Table as CSV; - is standard output (the default)")->type_name("FILE");
+  run.add_option("--jsonl", options.outputs.jsonl, "Table as JSON Lines; - is standard output")->type_name("FILE");
+  run.add_option("--video", options.outputs.video, "Frame and depth map side by side: .mp4, .mkv, .avi")
+      ->type_name("FILE");
+  run.add_option("--frames", options.outputs.frames_folder, "A PNG of each frame with its opening")->type_name("DIR");
+  add_finder_options(run, options.finder);
+  run.add_option("--fps", options.sources.images_hz, "Frames a second of images: their stamps (30)")
+      ->type_name("HZ")
+      ->check(CLI::Range(0.001, 10000.0));
+  run.add_flag("--sequence", options.sources.images_are_sequence,
+               "Images follow each other in time: steering remembers");
+  run.add_option("--jobs", options.jobs, "Threads; the output is the same with any (all cores)")
+      ->type_name("N")
+      ->check(CLI::Range(1, 256));
+  run.add_option("--limit", options.limit, "End after so many frames")
+      ->type_name("N")
+      ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 40));
+  run.add_flag("--timing", options.outputs.timing, "A column find_ms");
+  run.add_flag("--quiet", options.quiet, "No progress, no summary");
+}
+
+}  // namespace
 
 void add_run(CLI::App& app, ExitCode& exit_code) {
   CLI::App* run = app.add_subcommand("run", "Find the open space in images, folders, videos or a camera");
-  run->callback([&exit_code] { exit_code = kUnexpected; });
+  auto options = std::make_shared<RunOptions>();
+  add_options(*run, *options);
+  run->footer("Example: adit run data/clip.avi --csv headings.csv --video headings.mp4");
+  run->callback([options, &exit_code] {
+    check_outputs(options->outputs, options->inputs);
+    watch_signals();
+    exit_code = Run(*options)();
+  });
 }
 
 }  // namespace adit::tools

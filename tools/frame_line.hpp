@@ -1,0 +1,77 @@
+// Frames are read, judged, steered by and drawn, many at a time, and come out in the order they went in.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <future>
+#include <memory>
+#include <opencv2/core/mat.hpp>
+#include <optional>
+#include <vector>
+
+#include "adit/camera.hpp"
+#include "adit/finder.hpp"
+#include "adit/heading.hpp"
+#include "adit/io/configuration.hpp"
+#include "adit/io/frame_source.hpp"
+#include "worker_pool.hpp"
+
+namespace adit::tools {
+
+/// A frame on its way.
+struct FrameWork {
+  io::Frame frame;
+  std::int64_t number = 0;              ///< over all sources
+  std::optional<OpenSpace> open_space;  ///< nothing: unreadable
+  std::string why;                      ///< why there is no answer: unreadable, no frame, not of the camera's size
+  StageImages stages;
+  std::optional<HeadingCommand> command;
+  cv::Mat panel;                   ///< frame and depth map, if a video is wanted
+  std::vector<unsigned char> png;  ///< the frame with its overlay, encoded, if frames are wanted
+  std::future<void> done;
+};
+
+struct LineSettings {
+  io::Configuration configuration;
+  std::optional<Camera> camera;
+  int jobs = 1;
+  bool wants_panel = false;
+  bool wants_png = false;
+};
+
+class FrameLine {
+ public:
+  /// @param on_judged  gets every frame once, in order, on the caller's thread, with its command.
+  /// @param on_drawn   gets every readable frame once, in order, on the caller's thread, if pictures are wanted.
+  using Receiver = std::function<void(FrameWork&)>;
+  FrameLine(const LineSettings& settings, Receiver on_judged, Receiver on_drawn);
+
+  /// A new row of frames: steering starts afresh.
+  void begin_source(bool is_sequence);
+  /// Takes a frame in; hands others out to make room. Holds a few frames for each job, never more.
+  void push(io::Frame frame);
+  /// Hands out all that is still on its way.
+  void finish();
+
+ private:
+  using Work = std::shared_ptr<FrameWork>;
+  void judge(FrameWork& work, int worker);
+  void draw(FrameWork& work) const;
+  void steer(FrameWork& work);
+  void pop_judged();
+  void pop_drawn();
+
+  LineSettings settings_;
+  Receiver on_judged_;
+  Receiver on_drawn_;
+  std::vector<OpenSpaceFinder> finders_;         ///< one for each worker
+  std::optional<HeadingController> controller_;  ///< none: the frames are independent
+  std::size_t room_;
+  std::int64_t pushed_ = 0;
+  std::deque<Work> judging_;
+  std::deque<Work> drawing_;
+  WorkerPool pool_;  ///< last: its threads end before what they use
+};
+
+}  // namespace adit::tools

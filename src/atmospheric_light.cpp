@@ -4,6 +4,7 @@
 
 #include "adit/region.hpp"
 #include "adit/scattering_depth.hpp"
+#include "kernels/pixel_loops.hpp"
 
 namespace adit {
 namespace {
@@ -19,6 +20,17 @@ unsigned channel_sum(const std::uint8_t* pixel, PixelFormat format, int grey16_d
   return static_cast<unsigned>(pixel[0] + pixel[1] + pixel[2]);
 }
 
+/// For the formats that are too rare for a loop of their own.
+std::uint64_t plain_sum_where_bright(const std::uint8_t* from, PixelFormat format, int grey16_depth_bits,
+                                     const std::uint8_t* dark, int level, int width) {
+  const int step = bytes_per_pixel(format);
+  std::uint64_t sum = 0;
+  for (int u = 0; u < width; ++u) {
+    if (dark[u] >= level) sum += channel_sum(from + u * step, format, grey16_depth_bits);
+  }
+  return sum;
+}
+
 }  // namespace
 
 double atmospheric_light(const ImageView& view, int grey16_depth_bits, ConstPlaneView dark, double fraction) noexcept {
@@ -29,10 +41,13 @@ double atmospheric_light(const ImageView& view, int grey16_depth_bits, ConstPlan
   std::uint64_t count = histogram[255];
   while (level > 0 && count < wanted) count += histogram[static_cast<std::size_t>(--level)];
   const int step = bytes_per_pixel(view.format);
+  const auto last = static_cast<std::uint8_t>(level);
   std::uint64_t sum = 0;
   for (int v = 0; v < view.height; ++v) {
-    for (int u = 0; u < view.width; ++u) {
-      if (dark.row(v)[u] >= level) sum += channel_sum(view.row(v) + u * step, view.format, grey16_depth_bits);
+    if (view.format == PixelFormat::kGrey16 || step == 4) {
+      sum += plain_sum_where_bright(view.row(v), view.format, grey16_depth_bits, dark.row(v), level, view.width);
+    } else {
+      sum += kernels::pixel_loops().sum_where_bright(view.row(v), step, dark.row(v), last, view.width);
     }
   }
   const double channels = step >= 3 ? 3.0 : 1.0;

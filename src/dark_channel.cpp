@@ -1,32 +1,52 @@
 #include "adit/dark_channel.hpp"
 
-#include <algorithm>
-#include <cstring>
+#include "morphology_passes.hpp"
 
 namespace adit {
 namespace {
 
-std::uint8_t smallest_channel(const std::uint8_t* pixel, PixelFormat format, int grey16_depth_bits) {
-  if (format == PixelFormat::kGrey8) return pixel[0];
-  if (format == PixelFormat::kGrey16) {
-    std::uint16_t value = 0;
-    std::memcpy(&value, pixel, sizeof value);
-    return static_cast<std::uint8_t>(std::min(value >> (grey16_depth_bits - 8), 255));
+/// Smallest colour channel of a row.
+class ChannelMinimum {
+ public:
+  ChannelMinimum(PixelFormat format, int grey16_depth_bits) noexcept
+      : loops_(kernels::pixel_loops()), format_(format), shift_(grey16_depth_bits - 8) {}
+
+  void operator()(const std::uint8_t* from, std::uint8_t* to, int width) const noexcept {
+    switch (format_) {
+      case PixelFormat::kGrey8:
+        std::memcpy(to, from, static_cast<std::size_t>(width));
+        return;
+      case PixelFormat::kGrey16:
+        loops_.grey16_to_8(from, shift_, to, width);
+        return;
+      case PixelFormat::kBgr8:
+      case PixelFormat::kRgb8:
+        loops_.triplet_minimum(from, to, width);
+        return;
+      case PixelFormat::kBgra8:
+      case PixelFormat::kRgba8:
+        loops_.quad_minimum(from, to, width);
+        return;
+    }
   }
-  return std::min({pixel[0], pixel[1], pixel[2]});
-}
+
+ private:
+  const kernels::PixelLoops& loops_;
+  PixelFormat format_;
+  int shift_;
+};
 
 }  // namespace
 
 void dark_channel(const ImageView& view, const StructuringElement& patch, int grey16_depth_bits, PlaneView out,
                   MorphologyScratch& scratch) noexcept {
-  const int step = bytes_per_pixel(view.format);
+  const ChannelMinimum channel_minimum(view.format, grey16_depth_bits);
+  RectanglePass pass(smallest_order(), view.width, view.height, patch, scratch.buffers().work.get());
   for (int v = 0; v < view.height; ++v) {
-    const std::uint8_t* from = view.row(v);
-    std::uint8_t* to = out.row(v);
-    for (int u = 0; u < view.width; ++u) to[u] = smallest_channel(from + u * step, view.format, grey16_depth_bits);
+    channel_minimum(view.row(v), pass.next_row(), view.width);
+    pass.advance(out, false);
   }
-  erode(out, patch, out, scratch);
+  while (pass.rows_out() < view.height) pass.advance(out, true);
 }
 
 }  // namespace adit

@@ -1,62 +1,133 @@
 #include "adit/morphology.hpp"
 
 #include <algorithm>
-#include <cassert>
-#include <cstring>
+
+#include "morphology_passes.hpp"
 
 namespace adit {
-
-struct MorphologyScratch::Buffers {
-  std::vector<std::uint8_t> padded;
-};
 
 MorphologyScratch::MorphologyScratch() : buffers_(std::make_unique<Buffers>()) {}
 MorphologyScratch::~MorphologyScratch() = default;
 MorphologyScratch::MorphologyScratch(MorphologyScratch&&) noexcept = default;
 MorphologyScratch& MorphologyScratch::operator=(MorphologyScratch&&) noexcept = default;
 
-void MorphologyScratch::reserve(int width, int height, const StructuringElement& element) {
-  const std::size_t need =
-      static_cast<std::size_t>(width + element.width()) * static_cast<std::size_t>(height + element.height());
-  if (buffers_->padded.size() < need) buffers_->padded.resize(need);
-}
-
 namespace {
 
-template <bool kMax>
-void apply(ConstPlaneView in, const StructuringElement& element, PlaneView out, std::uint8_t* padded) {
-  const int a = element.width() / 2;
-  const int b = element.height() / 2;
-  const int stride = in.width + 2 * a;
-  std::memset(padded, kMax ? 0 : 255, static_cast<std::size_t>(stride) * static_cast<std::size_t>(in.height + 2 * b));
-  const auto padded_row = [&](int v) { return padded + static_cast<std::ptrdiff_t>(v + b) * stride + a; };
-  for (int v = 0; v < in.height; ++v) std::memcpy(padded_row(v), in.row(v), static_cast<std::size_t>(in.width));
+bool is_small(const StructuringElement& element) { return element.height() <= EllipseRows::kHeightMax_px; }
+
+std::size_t plane_pitch(int width) { return AlignedBytes::rounded_up(static_cast<std::size_t>(width)); }
+
+PlaneView scratch_plane(ConstPlaneView like, MorphologyScratch::Buffers& buffers) {
+  return {buffers.plane.get(), like.width, like.height, static_cast<std::ptrdiff_t>(plane_pitch(like.width))};
+}
+
+void apply_rectangle(Order order, ConstPlaneView in, const StructuringElement& element, PlaneView out,
+                     MorphologyScratch::Buffers& buffers) {
+  RectanglePass pass(order, in.width, in.height, element, buffers.work.get());
   for (int v = 0; v < in.height; ++v) {
-    std::uint8_t* to = out.row(v);
-    std::memset(to, kMax ? 0 : 255, static_cast<std::size_t>(in.width));
-    for (int dv = -b; dv <= b; ++dv) {
-      const int half = element.half_chord(dv + b);
-      for (int du = -half; du <= half; ++du) {
-        const std::uint8_t* from = padded_row(v + dv) + du;
-        for (int u = 0; u < in.width; ++u) to[u] = kMax ? std::max(to[u], from[u]) : std::min(to[u], from[u]);
-      }
+    std::memcpy(pass.next_row(), in.row(v), static_cast<std::size_t>(in.width));
+    pass.advance(out, false);
+  }
+  while (pass.rows_out() < in.height) pass.advance(out, true);
+}
+
+/// The rows under an element, in the order that EllipseRows wants them.
+class RowsAround {
+ public:
+  template <class RowOf>
+  const std::uint8_t* const* at(int v, int height, int reach_v, RowOf row_of) noexcept {
+    rows_[0] = row_of(v);
+    for (int dv = 1; dv <= reach_v; ++dv) {
+      rows_[2 * dv - 1] = v - dv >= 0 ? row_of(v - dv) : rows_[0];
+      rows_[2 * dv] = v + dv < height ? row_of(v + dv) : rows_[0];
+    }
+    return rows_;
+  }
+
+ private:
+  const std::uint8_t* rows_[EllipseRows::kHeightMax_px + 1];
+};
+
+void apply_small(Order order, ConstPlaneView in, PlaneView out, MorphologyScratch::Buffers& buffers) {
+  const EllipseRows ellipse(order, in.width, buffers.rectangles, buffers.work.get());
+  RowsAround around;
+  for (int v = 0; v < in.height; ++v) {
+    ellipse.make_row(around.at(v, in.height, ellipse.reach_v(), [&](int row) { return in.row(row); }), out.row(v));
+  }
+}
+
+// Dilation and erosion in one go down the plane: between them only the rows under one element are kept, so they never
+// leave the cache. Row v is written when no later row needs it: `out` may be `in`.
+void close_small(ConstPlaneView in, const StructuringElement& element, PlaneView out,
+                 MorphologyScratch::Buffers& buffers) {
+  std::uint8_t* second = buffers.work.get() + EllipseRows::bytes_needed(in.width, element);
+  const EllipseRows dilation(largest_order(), in.width, buffers.rectangles, buffers.work.get());
+  const EllipseRows erosion(smallest_order(), in.width, buffers.rectangles, second);
+  const int reach_v = dilation.reach_v();
+  const auto dilated_row = [&](int v) {
+    return buffers.plane.get() + static_cast<std::size_t>(v % element.height()) * plane_pitch(in.width);
+  };
+  RowsAround around;
+  for (int v = 0; v < in.height + reach_v; ++v) {
+    if (v < in.height) {
+      dilation.make_row(around.at(v, in.height, reach_v, [&](int row) { return in.row(row); }), dilated_row(v));
+    }
+    if (v >= reach_v) {
+      erosion.make_row(around.at(v - reach_v, in.height, reach_v, dilated_row), out.row(v - reach_v));
     }
   }
 }
 
+void apply(Order order, ConstPlaneView in, const StructuringElement& element, PlaneView out,
+           MorphologyScratch::Buffers& buffers) {
+  if (element.is_rectangle()) return apply_rectangle(order, in, element, out, buffers);
+  if (in.data == out.data) {
+    const PlaneView copy = scratch_plane(in, buffers);
+    for (int v = 0; v < in.height; ++v) std::memcpy(copy.row(v), in.row(v), static_cast<std::size_t>(in.width));
+    in = copy;
+  }
+  list_rectangles(element, buffers.rectangles);
+  if (is_small(element)) return apply_small(order, in, out, buffers);
+  LargeEllipse(order, in.width, in.height, element, buffers.work.get()).apply(in, out);
+}
+
 }  // namespace
 
+void MorphologyScratch::reserve(int width, int height, const StructuringElement& element) {
+  Buffers& buffers = *buffers_;
+  buffers.rectangles.reserve(static_cast<std::size_t>(element.height() / 2 + 1));
+  if (element.is_rectangle()) {
+    buffers.work.reserve(RectanglePass::bytes_needed(width, height, element));
+    return;
+  }
+  buffers.work.reserve(is_small(element) ? 2 * EllipseRows::bytes_needed(width, element)
+                                         : LargeEllipse::bytes_needed(width, height, element));
+  buffers.plane.reserve(plane_pitch(width) * static_cast<std::size_t>(std::max(height, element.height())));
+}
+
 void erode(ConstPlaneView in, const StructuringElement& element, PlaneView out, MorphologyScratch& scratch) noexcept {
-  apply<false>(in, element, out, scratch.buffers().padded.data());
+  apply(smallest_order(), in, element, out, scratch.buffers());
 }
 
 void dilate(ConstPlaneView in, const StructuringElement& element, PlaneView out, MorphologyScratch& scratch) noexcept {
-  apply<true>(in, element, out, scratch.buffers().padded.data());
+  apply(largest_order(), in, element, out, scratch.buffers());
 }
 
 void close(ConstPlaneView in, const StructuringElement& element, PlaneView out, MorphologyScratch& scratch) noexcept {
-  dilate(in, element, out, scratch);
-  erode(out, element, out, scratch);
+  MorphologyScratch::Buffers& buffers = scratch.buffers();
+  if (element.is_rectangle()) {
+    apply_rectangle(largest_order(), in, element, out, buffers);
+    apply_rectangle(smallest_order(), out, element, out, buffers);
+    return;
+  }
+  if (is_small(element)) {
+    list_rectangles(element, buffers.rectangles);
+    close_small(in, element, out, buffers);
+    return;
+  }
+  const PlaneView dilated = scratch_plane(in, buffers);
+  LargeEllipse(largest_order(), in.width, in.height, element, buffers.work.get()).apply(in, dilated);
+  LargeEllipse(smallest_order(), in.width, in.height, element, buffers.work.get()).apply(dilated, out);
 }
 
 }  // namespace adit

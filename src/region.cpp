@@ -1,33 +1,47 @@
 #include "adit/region.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+
+#include "kernels/pixel_loops.hpp"
 
 namespace adit {
 
 Histogram histogram_of(ConstPlaneView plane) noexcept {
   Histogram histogram{};
-  for (int v = 0; v < plane.height; ++v) {
-    const std::uint8_t* row = plane.row(v);
-    for (int u = 0; u < plane.width; ++u) ++histogram[row[u]];
-  }
+  kernels::pixel_loops().count_levels(plane.data, plane.stride_bytes, plane.width, plane.height, histogram.data());
   return histogram;
 }
 
-Moments moments_of(ConstPlaneView plane, int last_level, std::vector<std::uint32_t>&) noexcept {
+Moments moments_of(ConstPlaneView plane, int last_level, std::vector<std::uint32_t>& columns) noexcept {
   Moments moments;
-  for (int v = 0; v < plane.height; ++v) {
-    const std::uint8_t* row = plane.row(v);
-    std::uint64_t in_row = 0;
-    for (int u = 0; u < plane.width; ++u) {
-      if (row[u] > last_level) continue;
-      ++in_row;
-      moments.m10 += static_cast<std::uint64_t>(u);
-      moments.m20 += static_cast<std::uint64_t>(u) * static_cast<std::uint64_t>(u);
+  if (last_level < 0) return moments;
+  // The loops count in bytes, which hold 255 rows.
+  constexpr int kRowsAtATime = 255;
+  std::fill(columns.begin(), columns.end(), 0u);
+  std::array<std::uint8_t, kSideMax_px> bytes;
+  std::array<std::uint32_t, kRowsAtATime> rows;
+  const auto level = static_cast<std::uint8_t>(std::min(last_level, 255));
+  for (int begin = 0; begin < plane.height; begin += kRowsAtATime) {
+    const int height = std::min(kRowsAtATime, plane.height - begin);
+    std::fill_n(bytes.begin(), plane.width, std::uint8_t{0});
+    kernels::pixel_loops().count_mask(plane.row(begin), plane.stride_bytes, plane.width, height, level, bytes.data(),
+                                      rows.data());
+    for (int u = 0; u < plane.width; ++u) columns[static_cast<std::size_t>(u)] += bytes[static_cast<std::size_t>(u)];
+    for (int i = 0; i < height; ++i) {
+      const std::uint64_t in_row = rows[static_cast<std::size_t>(i)];
+      const auto v = static_cast<std::uint64_t>(begin + i);
+      moments.m00 += in_row;
+      moments.m01 += in_row * v;
+      moments.m02 += in_row * v * v;
     }
-    moments.m00 += in_row;
-    moments.m01 += in_row * static_cast<std::uint64_t>(v);
-    moments.m02 += in_row * static_cast<std::uint64_t>(v) * static_cast<std::uint64_t>(v);
+  }
+  for (int u = 0; u < plane.width; ++u) {
+    const std::uint64_t in_column = columns[static_cast<std::size_t>(u)];
+    const auto at = static_cast<std::uint64_t>(u);
+    moments.m10 += in_column * at;
+    moments.m20 += in_column * at * at;
   }
   return moments;
 }

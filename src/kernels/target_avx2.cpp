@@ -1,0 +1,41 @@
+// CPU target `avx2`: 32 bytes at a time.
+#include <immintrin.h>
+
+#include "pixel_loops.hpp"
+
+namespace adit::kernels {
+namespace {
+
+struct Bytes {
+  static constexpr int kLanes = 32;
+  __m256i v;
+};
+
+inline Bytes load(const std::uint8_t* p) { return {_mm256_loadu_si256(reinterpret_cast<const __m256i*>(p))}; }
+inline void store(std::uint8_t* p, Bytes a) { _mm256_storeu_si256(reinterpret_cast<__m256i*>(p), a.v); }
+inline Bytes fill(std::uint8_t value) { return {_mm256_set1_epi8(static_cast<char>(value))}; }
+inline Bytes smallest(Bytes a, Bytes b) { return {_mm256_min_epu8(a.v, b.v)}; }
+inline Bytes largest(Bytes a, Bytes b) { return {_mm256_max_epu8(a.v, b.v)}; }
+inline Bytes at_most(Bytes a, Bytes limit) { return {_mm256_cmpeq_epi8(_mm256_min_epu8(a.v, limit.v), a.v)}; }
+inline Bytes minus(Bytes a, Bytes b) { return {_mm256_sub_epi8(a.v, b.v)}; }
+inline bool same(Bytes a, Bytes b) { return _mm256_movemask_epi8(_mm256_cmpeq_epi8(a.v, b.v)) == -1; }
+inline bool any_above(Bytes a, Bytes b) { return !same(largest(a, b), b); }
+inline std::uint32_t sum(Bytes a) {
+  const __m256i parts = _mm256_sad_epu8(a.v, _mm256_setzero_si256());
+  return static_cast<std::uint32_t>(_mm256_extract_epi32(parts, 0) + _mm256_extract_epi32(parts, 2) +
+                                    _mm256_extract_epi32(parts, 4) + _mm256_extract_epi32(parts, 6));
+}
+
+#include "blocks_sse41.inl"
+
+constexpr int kTripletBlock = 16;
+constexpr int kTripletExtra = 2;
+inline void triplet_minimum_block(const std::uint8_t* p, std::uint8_t* to) { triplet_minimum_16(p, to); }
+
+#include "loops.inl"
+
+}  // namespace
+
+const PixelLoops kAvx2Loops = kLoops;
+
+}  // namespace adit::kernels

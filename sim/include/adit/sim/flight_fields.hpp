@@ -5,6 +5,9 @@
 #include <type_traits>
 
 #include "adit/fields.hpp"
+#include "adit/sim/flight.hpp"
+#include "adit/sim/lidar.hpp"
+#include "adit/sim/truth.hpp"
 #include "adit/sim/vehicle.hpp"
 
 namespace adit::sim {
@@ -59,6 +62,101 @@ void visit_fields(Config& c, Visitor&& visit) {
         c.yaw_rate_noise_rad_s);
   visit(FieldNote{"yaw_rate_noise_time_s", "s", 0.01, 100, "Correlation time of that noise.", "about the yaw's lag"},
         c.yaw_rate_noise_time_s);
+}
+
+/// See above.
+template <class Config, class Visitor>
+requires std::is_same_v<std::remove_const_t<Config>, TruthConfig>
+void visit_fields(Config& c, Visitor&& visit) {
+  using adit::FieldNote;
+  visit(FieldNote{"look_ahead_m", "m", 0.5, 50, "How far ahead the passage's direction is taken.",
+                  "a few seconds of flight at 1 m/s"},
+        c.look_ahead_m);
+  visit(FieldNote{"sight_max_m", "m", 5, 1000, "Ranges beyond count as this one.", "no lamp on a robot lights further"},
+        c.sight_max_m);
+  visit(FieldNote{"sight_smoothing_deg", "deg", 0, 30, "Width over which ranges are averaged.",
+                  "about a vehicle's width at 7 m"},
+        c.sight_smoothing_deg);
+  visit(FieldNote{"opening_range_min_m", "m", 0.5, 50, "Deepest range from which on there is an opening in sight.",
+                  "a little more than half a wide drift, less than the way to turn in"},
+        c.opening_range_min_m);
+  visit(FieldNote{"branch_range_m", "m", 1, 200, "Junctions up to here count as in sight.", "reach of the lamp"},
+        c.branch_range_m);
+}
+
+/// See above.
+template <class Config, class Visitor>
+requires std::is_same_v<std::remove_const_t<Config>, LidarConfig>
+void visit_fields(Config& c, Visitor&& visit) {
+  using adit::FieldNote;
+  visit(FieldNote{"lidar_rate_hz", "Hz", 0.1, 100, "Sweeps a second.", "scanners turn at 10 to 40 Hz"},
+        c.lidar_rate_hz);
+  visit(FieldNote{"lidar_fov_deg", "deg", 10, 359, "Angle of a sweep.", "Hokuyo UTM-30LX: 270"}, c.lidar_fov_deg);
+  visit(FieldNote{"lidar_rays", "", 8, 8192, "Rays of a sweep.", "Hokuyo UTM-30LX: 1081; every second one"},
+        c.lidar_rays);
+  visit(FieldNote{"lidar_range_min_m", "m", 0, 5, "Shortest range.", "Hokuyo UTM-30LX: 0.1"}, c.lidar_range_min_m);
+  visit(FieldNote{"lidar_range_max_m", "m", 1, 300, "Longest range.", "Hokuyo UTM-30LX: 30"}, c.lidar_range_max_m);
+  visit(FieldNote{"lidar_noise_m", "m", 0, 1, "Standard deviation of a range.",
+                  "Hokuyo UTM-30LX: 0.01 to 10 m, 0.03 beyond"},
+        c.lidar_noise_m);
+}
+
+/// See above.
+template <class Config, class Visitor>
+requires std::is_same_v<std::remove_const_t<Config>, ImuConfig>
+void visit_fields(Config& c, Visitor&& visit) {
+  using adit::FieldNote;
+  visit(FieldNote{"gyro_noise_rad_s_rthz", "rad/s/sqrt(Hz)", 0, 0.1, "Noise density of the gyroscopes.",
+                  "InvenSense MPU-6050: 0.005 deg/s/sqrt(Hz)"},
+        c.gyro_noise_rad_s_rthz);
+  visit(FieldNote{"gyro_bias_rad_s", "rad/s", 0, 1, "Standard deviation of their biases from flight to flight.",
+                  "what is left after a calibration at rest"},
+        c.gyro_bias_rad_s);
+  visit(FieldNote{"accelerometer_noise_m_s2_rthz", "m/s^2/sqrt(Hz)", 0, 1, "Noise density of the accelerometers.",
+                  "InvenSense MPU-6050: 400 ug/sqrt(Hz)"},
+        c.accelerometer_noise_m_s2_rthz);
+  visit(FieldNote{"accelerometer_bias_m_s2", "m/s^2", 0, 5, "Standard deviation of their biases from flight to flight.",
+                  "what is left after a calibration at rest"},
+        c.accelerometer_bias_m_s2);
+}
+
+/// See above.
+template <class Config, class Visitor>
+requires std::is_same_v<std::remove_const_t<Config>, FlightConfig>
+void visit_fields(Config& c, Visitor&& visit) {
+  using adit::FieldNote;
+  visit(FieldNote{"speed_m_s", "m/s", 0.05, 10, "Forward speed while it steers or coasts.", "paper, 3.2: 0.2 m/s"},
+        c.speed_m_s);
+  visit(FieldNote{"time_max_s", "s", 0.1, 36000, "The flight ends after this time.", "paper, Fig. 3: 180 s"},
+        c.time_max_s);
+  visit(FieldNote{"physics_rate_hz", "Hz", 20, 5000,
+                  "Steps of the vehicle a second, at the least; a whole number of them fills a frame's interval.",
+                  "twenty steps in the shortest lag"},
+        c.physics_rate_hz);
+  visit(FieldNote{"camera_rate_hz", "Hz", 1, 240, "Frames a second.", "paper, 3.2: 30"}, c.camera_rate_hz);
+  visit(FieldNote{"camera_delay_frames", "frame", 0, 30, "Frames from the exposure to the command made of it.",
+                  "read-out, transfer and judging take about one"},
+        c.camera_delay_frames);
+  visit(FieldNote{"drop_fraction", "", 0, 1, "Share of the frames that never arrive.", "USB cameras under load"},
+        c.drop_fraction);
+  visit(FieldNote{"repeat_fraction", "", 0, 1, "Share of the frames that bring the pixels of the one before.",
+                  "USB cameras under load"},
+        c.repeat_fraction);
+  visit(FieldNote{"stop_after_s", "s", 0.1, 600, "Told to hold for so long, the flight ends as stopped.",
+                  "nothing changes any more for a hovering camera"},
+        c.stop_after_s);
+  visit(FieldNote{"stuck_radius_m", "m", 0.1, 50, "Within this of where it was stuck_after_m ago, it is stuck.",
+                  "circles of full yaw rate at 1 m/s"},
+        c.stuck_radius_m);
+  visit(FieldNote{"stuck_after_m", "m", 1, 1000, "See stuck_radius_m.", "twice around such a circle"}, c.stuck_after_m);
+  visit(FieldNote{"map_cell_m", "m", 0.02, 2, "Cell of the occupancy grid.", "three times the noise of the ranges"},
+        c.map_cell_m);
+  visit(FieldNote{"start_jitter_m", "m", 0, 10, "Starts are drawn to the side of the start by up to this.",
+                  "so that seeds are different flights"},
+        c.start_jitter_m);
+  visit(FieldNote{"start_yaw_jitter_deg", "deg", 0, 180, "Starts are drawn to be turned by up to this.",
+                  "so that seeds are different flights"},
+        c.start_yaw_jitter_deg);
 }
 
 }  // namespace adit::sim

@@ -1,0 +1,206 @@
+#include "adit/sim/flight.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+
+#include "adit/sim/flight_fields.hpp"
+#include "field_check.hpp"
+
+namespace adit::sim {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kGoalReach_m = 1.0;     // along the route
+constexpr double kOutside_m = 3.0;       // beyond a mouth, and past the walls
+constexpr double kStartMargin_m = 0.15;  // of a drawn start to the rock
+constexpr std::uint64_t kFrameSeedStep = 0x9e3779b97f4a7c15ull;
+
+std::string place_text(const Vector3d& p) {
+  char text[96];
+  std::snprintf(text, sizeof text, "(%.2f, %.2f, %.2f)", p.x(), p.y(), p.z());
+  return text;
+}
+
+/// The start, moved to the side and turned as the seed has it, but not into the rock.
+StartPose drawn_start(const FlightSettings& settings, const StartPose& start, const RayScene& scene) {
+  Random random(settings.seed, 4);
+  const double aside_m = settings.flight.start_jitter_m * (2.0 * random.uniform() - 1.0);
+  const double turn_deg = settings.flight.start_yaw_jitter_deg * (2.0 * random.uniform() - 1.0);
+  const double yaw_rad = static_cast<double>(start.yaw_rad);
+  const Vector3d left(-std::sin(yaw_rad), std::cos(yaw_rad), 0.0);
+  for (const double share : {1.0, 0.5, 0.25}) {
+    StartPose drawn = start;
+    drawn.place += (share * aside_m * left).cast<float>();
+    drawn.yaw_rad += static_cast<float>(turn_deg * std::numbers::pi / 180.0);
+    const Eigen::Vector3f centre =
+        drawn.place + static_cast<float>(settings.vehicle.height_m) * Eigen::Vector3f::UnitZ();
+    if (!scene.nearest(centre, static_cast<float>(settings.vehicle.body_radius_m + kStartMargin_m))) return drawn;
+  }
+  return start;
+}
+
+const FlightSettings& checked(const FlightSettings& settings) {
+  if (const auto fault = fault_of(settings.flight)) throw std::invalid_argument(*fault);
+  return settings;
+}
+
+}  // namespace
+
+std::optional<std::string> fault_of(const FlightConfig& config) { return first_fault(config); }
+
+std::string_view to_string(Outcome outcome) noexcept {
+  constexpr std::string_view kNames[] = {"goal", "collided", "stopped", "stuck", "timeout"};
+  return kNames[static_cast<std::size_t>(outcome)];
+}
+
+std::string_view to_string(Delivery delivery) noexcept {
+  constexpr std::string_view kNames[] = {"fresh", "dropped", "repeated"};
+  return kNames[static_cast<std::size_t>(delivery)];
+}
+
+Flight::Flight(const FlightSettings& settings, const World& world, const RayScene& scene, Eye& eye)
+    : settings_(checked(settings)),
+      scene_(&scene),
+      eye_(&eye),
+      network_(world),
+      vehicle_(settings.vehicle, scene, drawn_start(settings, world.start, scene), settings.seed),
+      surveyor_(settings.truth, scene, network_,
+                2.0 * std::atan(0.5 * eye.camera().model().width / eye.camera().model().focal_length_x_px) * 180.0 /
+                    std::numbers::pi),
+      finder_(settings.finder, eye.camera()),
+      controller_(settings.heading),
+      lidar_(settings.lidar, scene, settings.seed),
+      imu_(settings.imu, settings.seed),
+      map_(settings.flight.map_cell_m),
+      delivery_random_(settings.seed, 5),
+      physics_steps_(static_cast<int>(std::ceil(settings.flight.physics_rate_hz / settings.flight.camera_rate_hz))) {
+  physics_step_s_ = 1.0 / (settings_.flight.camera_rate_hz * physics_steps_);
+  if (!network_.empty()) start_ = network_.nearest(vehicle_.state().place);
+}
+
+Flight::~Flight() = default;
+
+bool Flight::step() {
+  if (outcome_) return false;
+  row_ = FlightRow{};
+  row_.frame = frames_;
+  row_.stamp_s = time_s_;
+  row_.vehicle = vehicle_.state();
+  survey();
+  take_frame();
+  deliver();
+  row_.command = command_;
+  if (fly_to_next_frame()) judge_progress();
+  ++frames_;
+  return true;
+}
+
+void Flight::survey() {
+  const VehicleState& v = vehicle_.state();
+  const Vector3d heading(std::cos(v.yaw_rad), std::sin(v.yaw_rad), 0.0);
+  row_.truth = surveyor_.look(v.place, heading, eye_->pose(v), settings_.vehicle.height_m, start_);
+}
+
+/// The camera's side: a frame is taken and judged; what came of it is on its way to the pilot.
+void Flight::take_frame() {
+  // Both numbers are drawn for every frame, so that one fraction does not shift the frames of the other.
+  const bool drops = delivery_random_.uniform() < settings_.flight.drop_fraction;
+  const bool repeats = delivery_random_.uniform() < settings_.flight.repeat_fraction;
+  row_.delivery = frames_ == 0 ? Delivery::kFresh
+                  : drops      ? Delivery::kDropped
+                  : repeats    ? Delivery::kRepeated
+                               : Delivery::kFresh;
+  if (row_.delivery == Delivery::kDropped) {
+    on_the_way_.push_back({time_s_, true, {}});
+    return;
+  }
+  if (row_.delivery == Delivery::kFresh)
+    frame_ =
+        eye_->look(vehicle_.state(), time_s_, settings_.seed * kFrameSeedStep + static_cast<std::uint64_t>(frames_));
+  open_space_ = finder_.find(frame_);
+  row_.status = open_space_.status;
+  row_.confidence = open_space_.confidence;
+  row_.centroid_px = open_space_.centroid_px;
+  row_.point = open_space_.point;
+  row_.bearing = open_space_.bearing;
+  row_.area_fraction = open_space_.area_fraction;
+  on_the_way_.push_back({time_s_, false, open_space_});
+}
+
+/// The pilot's side: what was taken camera_delay_frames ago arrives, or is missed.
+void Flight::deliver() {
+  if (static_cast<int>(on_the_way_.size()) <= settings_.flight.camera_delay_frames) return;
+  const Arrival& arrival = on_the_way_.front();
+  command_ =
+      arrival.dropped ? controller_.tick(arrival.stamp_s) : controller_.update(arrival.open_space, arrival.stamp_s);
+  on_the_way_.pop_front();
+}
+
+bool Flight::fly_to_next_frame() {
+  imu_samples_.clear();
+  scan_.reset();
+  const double sweeps = settings_.lidar.lidar_rate_hz;
+  const double next_s = time_s_ + physics_step_s_ * physics_steps_;
+  if (frames_ == 0 || std::floor(next_s * sweeps) > std::floor(time_s_ * sweeps)) {
+    scan_ = lidar_.sweep(vehicle_.state().place, vehicle_.state().attitude(), time_s_);
+    map_.add(*scan_, vehicle_.state().place, vehicle_.state().attitude());
+  }
+  const VehicleCommand command{command_.state == HeadingState::kHold ? 0.0 : settings_.flight.speed_m_s,
+                               command_.yaw_rate_rad_s};
+  const double start_s = time_s_;
+  for (int i = 1; i <= physics_steps_; ++i) {
+    const Vector3d before = vehicle_.state().place;
+    const auto contact = vehicle_.step(command, physics_step_s_);
+    time_s_ = start_s + i * physics_step_s_;
+    distance_m_ += (vehicle_.state().place - before).norm();
+    if (records_sensors_)
+      imu_samples_.push_back(
+          imu_.sample(vehicle_.state().angular_rate(), vehicle_.specific_force(), time_s_, physics_step_s_));
+    if (!contact) continue;
+    Truth at_rest;
+    surveyor_.measure_clearance(vehicle_.state().place, at_rest);
+    touched_side_m_ = at_rest.side_clearance_m;
+    end(Outcome::kCollided, "touched rock at " + place_text(contact->place.cast<double>()));
+    return false;
+  }
+  // Counted from zero, so that a long flight's clock does not drift from its frames.
+  time_s_ = static_cast<double>(frames_ + 1) / settings_.flight.camera_rate_hz;
+  return true;
+}
+
+bool Flight::is_stuck() {
+  const Vector3d& place = vehicle_.state().place;
+  track_.emplace_back(distance_m_, place);
+  while (track_.size() > 1 && track_[1].first <= distance_m_ - settings_.flight.stuck_after_m) track_.pop_front();
+  return track_.front().first <= distance_m_ - settings_.flight.stuck_after_m &&
+         (track_.front().second - place).norm() < settings_.flight.stuck_radius_m;
+}
+
+void Flight::judge_progress() {
+  const Vector3d& place = vehicle_.state().place;
+  if (command_.state != HeadingState::kHold) held_since_s_ = time_s_;
+  if (start_) {
+    const AxisPlace here = network_.nearest(place);
+    if (network_.to_goal_m(here) <= kGoalReach_m)
+      return end(Outcome::kGoal, "reached the goal at " + place_text(place));
+    const bool at_mouth = network_.is_mouth(here);
+    has_been_inside_ = has_been_inside_ || !at_mouth;
+    if (at_mouth && has_been_inside_ && here.aside_m > kOutside_m + 0.5 * here.width_m)
+      return end(Outcome::kStuck, "left through the mouth at " + place_text(here.place));
+  }
+  if (time_s_ - held_since_s_ >= settings_.flight.stop_after_s)
+    return end(Outcome::kStopped, "held at " + place_text(place) + ", no open space found");
+  if (is_stuck()) return end(Outcome::kStuck, "went in circles at " + place_text(place));
+  if (time_s_ >= settings_.flight.time_max_s) end(Outcome::kTimeout, "time_max_s is over at " + place_text(place));
+}
+
+void Flight::end(Outcome outcome, std::string reason) {
+  outcome_ = outcome;
+  reason_ = std::move(reason);
+}
+
+}  // namespace adit::sim

@@ -24,6 +24,7 @@ TEST(CpuTarget, InUseIsTheOneTheEnvironmentNames) {
   const char* wanted = std::getenv("ADIT_TARGET");
   const bool honoured = wanted != nullptr && is_supported(wanted);
   EXPECT_EQ(cpu_target(), honoured ? std::string_view(wanted) : supported_cpu_targets().front());
+  EXPECT_EQ(cpu_target_request_refused(), wanted != nullptr && *wanted != '\0' && !honoured);
 }
 
 TEST(CpuTarget, ListEndsWithPlainAndNamesEachOnce) {

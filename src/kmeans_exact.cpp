@@ -47,6 +47,7 @@ class IntervalPartition {
     }
     // Row k is asked for from the points that leave at least one for each cluster before and behind.
     for (int k = 2; k < clusters; ++k) fill(k, clusters - k, count_ - k, 0, count_);
+    if (clusters > 1) fill(clusters, 0, 0, 0, count_);
     ClusterEnds ends{};
     int first = 0;
     for (int k = clusters; k > 1; --k) {
@@ -77,10 +78,8 @@ class IntervalPartition {
     int least_end = from;
     for (int end = from + 1; end <= to; ++end) {
       const double total = cost(i, end) + rest[end];
-      if (total < least) {
-        least = total;
-        least_end = end;
-      }
+      least_end = total < least ? end : least_end;
+      least = std::min(least, total);
     }
     best_[k][i] = least;
     end_[i] = least_end;
@@ -91,11 +90,8 @@ class IntervalPartition {
   /// Where the first of k clusters from point `first` ends: the earliest end that is as good as the best.
   [[nodiscard]] int earliest_end(int k, int first) const noexcept {
     const double* rest = best_[k - 1];
-    const int last_end = count_ - (k - 1);
-    double least = cost(first, last_end) + rest[last_end];
-    for (int end = first + 1; end < last_end; ++end) least = std::min(least, cost(first, end) + rest[end]);
     int end = first + 1;
-    while (end < last_end && cost(first, end) + rest[end] > least + tie_) ++end;
+    while (cost(first, end) + rest[end] > best_[k][first] + tie_) ++end;
     return end;
   }
 
@@ -103,7 +99,7 @@ class IntervalPartition {
   double tie_ = 0.0;
   std::array<double, kPointsMax + 1> weight_;  // of the points before
   std::array<double, kPointsMax + 1> moment_;  // sum of weight * value of the points before
-  double best_[kClusterCountMax][kPointsMax];
+  double best_[kClusterCountMax + 1][kPointsMax];
   int end_[kPointsMax];  // of the row filled last
 };
 

@@ -38,7 +38,9 @@ HeadingCommand HeadingController::update(const OpenSpace& open_space, double sta
   }
   const double elapsed_s = advance_to(stamp_s);
   last_stamp_s_ = stamp_s;
-  if (!open_space.found() || !std::isfinite(open_space.bearing.azimuth_rad)) return coast_or_hold(elapsed_s);
+  if (!open_space.found() || !std::isfinite(open_space.bearing.azimuth_rad)) {
+    return elapsed_s > 0.0 ? coast_or_hold(elapsed_s) : stale();  // from before the last tick: no news
+  }
   last_found_s_ = stamp_s;
   const double off_rad = beyond_dead_band(open_space.bearing.azimuth_rad, config_.dead_band_rad);
   const double wanted_rad_s =

@@ -1,0 +1,103 @@
+// find() allocates nothing once sized, and answers bad_frame when there is no memory.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+#include "adit/finder.hpp"
+#include "adit/heading.hpp"
+#include "frames.hpp"
+
+namespace {
+std::atomic<long> allocations{0};
+std::atomic<bool> memory_is_out{false};
+}  // namespace
+
+void* operator new(std::size_t size) {
+  ++allocations;
+  if (memory_is_out) throw std::bad_alloc();
+  if (void* memory = std::malloc(size > 0 ? size : 1)) return memory;
+  throw std::bad_alloc();
+}
+void* operator new(std::size_t size, std::align_val_t alignment) {
+  ++allocations;
+  if (memory_is_out) throw std::bad_alloc();
+  const auto align = static_cast<std::size_t>(alignment);
+  if (void* memory = std::aligned_alloc(align, (size + align - 1) / align * align)) return memory;
+  throw std::bad_alloc();
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+
+namespace adit {
+namespace {
+
+long allocations_during(auto&& work) {
+  const long before = allocations;
+  work();
+  return allocations - before;
+}
+
+TEST(Allocation, TheCounterCounts) {
+  EXPECT_GT(allocations_during([] { std::vector<int>(1000).at(7) = 1; }), 0);
+}
+
+TEST(Allocation, NoneAfterTheFirstFrame) {
+  for (const auto clustering : {Clustering::kExact, Clustering::kLloyd}) {
+    FinderConfig config;
+    config.clustering = clustering;
+    OpenSpaceFinder finder(config);
+    for (const auto format : {PixelFormat::kGrey8, PixelFormat::kBgr8, PixelFormat::kRgba8, PixelFormat::kGrey16}) {
+      const test::Frame first = test::in_format(test::tunnel({}), format);
+      const test::Frame other = test::in_format(test::tunnel({.u_px = 100, .seed = 9}), format);
+      const test::Frame black(160, 120, format, 0);
+      if (format == PixelFormat::kGrey8) (void)finder.find(first.view());
+      EXPECT_EQ(allocations_during([&] {
+                  (void)finder.find(first.view());
+                  (void)finder.find(other.view());
+                  (void)finder.find(black.view());
+                  (void)finder.find({});
+                }),
+                0);
+    }
+  }
+}
+
+TEST(Allocation, NoneAtAllAfterReserve) {
+  const test::Frame frame = test::coloured_tunnel({});
+  OpenSpaceFinder finder;
+  finder.reserve(160, 120);
+  EXPECT_EQ(allocations_during([&] { (void)finder.find(frame.view()); }), 0);
+}
+
+TEST(Allocation, NoneInTheController) {
+  HeadingController controller;
+  OpenSpace seen;
+  seen.status = Status::kFound;
+  EXPECT_EQ(allocations_during([&] {
+              for (int i = 0; i < 100; ++i) {
+                (void)controller.update(seen, 0.03 * i);
+                (void)controller.tick(0.03 * i + 0.01);
+              }
+            }),
+            0);
+}
+
+TEST(Allocation, WithoutMemoryTheFrameIsBadAndTheNextIsNot) {
+  const test::Frame small = test::coloured_tunnel({});
+  const test::Frame large = test::coloured_tunnel({.width = 200, .height = 150});
+  OpenSpaceFinder finder;
+  EXPECT_EQ(finder.find(small.view()).status, Status::kFound);
+  memory_is_out = true;
+  const Status without = finder.find(large.view()).status;
+  memory_is_out = false;
+  EXPECT_EQ(without, Status::kBadFrame);
+  EXPECT_EQ(finder.find(large.view()).status, Status::kFound);
+  EXPECT_EQ(finder.find(small.view()).status, Status::kFound);
+}
+
+}  // namespace
+}  // namespace adit

@@ -46,6 +46,7 @@ ExitCode run(int argc, char** argv) {
   ExitCode exit_code = adit::tools::kSuccess;
   adit::tools::add_run(app, exit_code);
   adit::tools::add_explain(app, exit_code);
+  adit::tools::add_bench(app, exit_code);
   adit::tools::add_config(app, exit_code);
   try {
     app.parse(argc, argv);

@@ -1,0 +1,127 @@
+#include "bench_measure.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <memory>
+#include <opencv2/imgproc.hpp>
+
+#include "adit/io/image_file.hpp"
+#include "bench_targets.hpp"
+#include "opencv_chains.hpp"
+
+namespace adit::tools {
+namespace {
+
+// One turn of each contender. Long turns of the fast ones, so that each runs as it would on its own; a few untimed
+// calls first, because the one before has filled the caches with its own things.
+constexpr int kFramesPerTurn = 100;
+constexpr int kStrongPerTurn = 10;
+constexpr int kUntimed = 5;
+
+constexpr int k4kWidth_px = 3840;
+constexpr int k4kHeight_px = 2160;
+constexpr int k4kSize_px = 101;
+
+/// Makes the compiler believe that somebody reads what is behind the pointer.
+void look_at(const void* memory) { asm volatile("" : : "r"(memory) : "memory"); }
+
+template <class Call>
+double time_of(Call&& call) {
+  const double begin_ms = now_ms();
+  call();
+  return now_ms() - begin_ms;
+}
+
+template <class Call>
+void time_turn(Samples& samples, int untimed, int timed, Call&& call) {
+  for (int i = 0; i < untimed; ++i) call();
+  for (int i = 0; i < timed; ++i) samples.add(time_of(call));
+}
+
+cv::Mat noise_like(const cv::Mat& frame) {
+  cv::Mat noise(frame.size(), CV_8UC3);
+  cv::RNG chance(1);
+  chance.fill(noise, cv::RNG::UNIFORM, 0, 256);
+  return noise;
+}
+
+/// The frame by ours, its copy and the chains of OpenCV, in turns.
+void time_rivals(const BenchSubject& subject, double seconds, BenchFigures& figures) {
+  OpenSpaceFinder finder;
+  const ImageView view = io::view_of(subject.bgr);
+  const std::size_t bytes = subject.bgr.total() * subject.bgr.elemSize();
+  std::vector<std::uint8_t> copy(bytes, 1);
+  StrongOpenCvChain strong(finder.config(), subject.bgr.size());
+  OpenCvChain opencv(finder.config(), subject.bgr.size());
+  for (int i = 0; i < 2 * kFramesPerTurn; ++i) (void)finder.find(view);
+  const double begin_ms = now_ms();
+  const auto is_enough = [&] {
+    const double spent = (now_ms() - begin_ms) / 1000.0;
+    return spent >= 4.0 * seconds || (spent >= seconds && figures.frame.count() >= kFramesMin);
+  };
+  do {
+    const std::int64_t before = interruptions();
+    for (int i = 0; i < kUntimed; ++i) (void)finder.find(view);
+    for (int i = 0; i < kFramesPerTurn; ++i) {
+      OpenSpace seen;
+      figures.frame.add(time_of([&] { seen = finder.find(view); }));
+      for (std::size_t s = 0; s < figures.stages.size(); ++s) {
+        figures.stages[s].add(static_cast<double>(seen.stage_ns[s]) * 1e-6);
+      }
+    }
+    figures.interruptions += interruptions() - before;
+    time_turn(figures.copy, kUntimed, kFramesPerTurn, [&] {
+      std::memcpy(copy.data(), subject.bgr.data, bytes);
+      look_at(copy.data());
+    });
+    time_turn(figures.strong, 1, kStrongPerTurn, [&] { (void)strong.find(subject.bgr); });
+    time_turn(figures.opencv, 0, 1, [&] { (void)opencv.find(subject.bgr); });
+  } while (!is_enough());
+}
+
+/// find() on one picture for a share of the time, at least `least` times.
+void time_picture(const cv::Mat& bgr, const FinderConfig& config, double seconds, int least, Samples& samples) {
+  OpenSpaceFinder finder(config);
+  const ImageView view = io::view_of(bgr);
+  for (int i = 0; i < 2; ++i) (void)finder.find(view);
+  const double begin_ms = now_ms();
+  for (int i = 0; i < least || now_ms() - begin_ms < 1000.0 * seconds; ++i) {
+    samples.add(time_of([&] { (void)finder.find(view); }));
+  }
+}
+
+void time_targets(const BenchSubject& subject, double seconds, BenchFigures& figures) {
+  const std::vector<std::string> names = cpu_targets();
+  for (const std::string& name : names) {
+    force_cpu_target(name);
+    figures.targets.emplace_back(name, Samples());
+    time_picture(subject.bgr, {}, seconds / static_cast<double>(names.size()), 20, figures.targets.back().second);
+  }
+  force_cpu_target(figures.target);
+}
+
+}  // namespace
+
+BenchFigures measure(const BenchSubject& subject) {
+  cv::setNumThreads(1);
+  BenchFigures figures;
+  figures.frame_name = subject.name;
+  figures.size = subject.bgr.size();
+  const FinderConfig defaults;
+  figures.patch_size_px = scaled_size_px(defaults.patch_size_vga_px, figures.size.width);
+  figures.structuring_element_size_px = scaled_size_px(defaults.structuring_element_size_vga_px, figures.size.width);
+  figures.target = cpu_target();
+  figures.core = pin_to_core();
+  time_rivals(subject, 0.75 * subject.seconds, figures);
+  time_picture(noise_like(subject.bgr), {}, 0.05 * subject.seconds, 20, figures.noise);
+  FinderConfig config_4k;
+  config_4k.patch_size_px = k4kSize_px;
+  config_4k.structuring_element_size_px = k4kSize_px;
+  cv::Mat large;
+  cv::resize(subject.bgr, large, {k4kWidth_px, k4kHeight_px}, 0, 0, cv::INTER_LINEAR);
+  time_picture(large, config_4k, 0.1 * subject.seconds, 5, figures.frame_4k);
+  time_targets(subject, 0.1 * subject.seconds, figures);
+  return figures;
+}
+
+}  // namespace adit::tools

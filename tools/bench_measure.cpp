@@ -26,16 +26,16 @@ constexpr int k4kSize_px = 101;
 void look_at(const void* memory) { asm volatile("" : : "r"(memory) : "memory"); }
 
 template <class Call>
-double time_of(Call&& call) {
-  const double begin_ms = now_ms();
+double time_of(TimeKind kind, Call&& call) {
+  const double begin_ms = now_ms(kind);
   call();
-  return now_ms() - begin_ms;
+  return now_ms(kind) - begin_ms;
 }
 
 template <class Call>
-void time_turn(Samples& samples, int untimed, int timed, Call&& call) {
+void time_turn(TimeKind kind, Samples& samples, int untimed, int timed, Call&& call) {
   for (int i = 0; i < untimed; ++i) call();
-  for (int i = 0; i < timed; ++i) samples.add(time_of(call));
+  for (int i = 0; i < timed; ++i) samples.add(time_of(kind, call));
 }
 
 cv::Mat noise_like(const cv::Mat& frame) {
@@ -47,6 +47,7 @@ cv::Mat noise_like(const cv::Mat& frame) {
 
 /// The frame by ours, its copy and the chains of OpenCV, in turns.
 void time_rivals(const BenchSubject& subject, double seconds, BenchFigures& figures) {
+  const TimeKind kind = subject.time_kind;
   OpenSpaceFinder finder;
   const ImageView view = io::view_of(subject.bgr);
   const std::size_t bytes = subject.bgr.total() * subject.bgr.elemSize();
@@ -64,42 +65,44 @@ void time_rivals(const BenchSubject& subject, double seconds, BenchFigures& figu
     for (int i = 0; i < kUntimed; ++i) (void)finder.find(view);
     for (int i = 0; i < kFramesPerTurn; ++i) {
       OpenSpace seen;
-      figures.frame.add(time_of([&] { seen = finder.find(view); }));
+      figures.frame.add(time_of(kind, [&] { seen = finder.find(view); }));
       for (std::size_t s = 0; s < figures.stages.size(); ++s) {
         figures.stages[s].add(static_cast<double>(seen.stage_ns[s]) * 1e-6);
       }
     }
     figures.interruptions += interruptions() - before;
-    time_turn(figures.copy, kUntimed, kFramesPerTurn, [&] {
+    time_turn(kind, figures.copy, kUntimed, kFramesPerTurn, [&] {
       std::memcpy(copy.data(), subject.bgr.data, bytes);
       look_at(copy.data());
     });
-    time_turn(figures.strong, 1, kStrongPerTurn, [&] { (void)strong.find(subject.bgr); });
-    time_turn(figures.opencv, 0, 1, [&] { (void)opencv.find(subject.bgr); });
+    time_turn(kind, figures.strong, 1, kStrongPerTurn, [&] { (void)strong.find(subject.bgr); });
+    time_turn(kind, figures.opencv, 0, 1, [&] { (void)opencv.find(subject.bgr); });
   } while (!is_enough());
 }
 
 /// find() on one picture for a share of the time, at least `least` times unless that takes four times as long.
-void time_picture(const cv::Mat& bgr, const FinderConfig& config, double seconds, std::size_t least, Samples& samples) {
+void time_picture(TimeKind kind, const cv::Mat& bgr, const FinderConfig& config, double seconds, std::size_t least,
+                  Samples& samples) {
   OpenSpaceFinder finder(config);
   const ImageView view = io::view_of(bgr);
   (void)finder.find(view);
   const double begin_ms = now_ms();
   double spent = 0.0;
   do {
-    samples.add(time_of([&] { (void)finder.find(view); }));
+    samples.add(time_of(kind, [&] { (void)finder.find(view); }));
     spent = (now_ms() - begin_ms) / 1000.0;
   } while (spent < seconds || (samples.count() < least && spent < 4.0 * seconds));
 }
 
 void time_targets(const BenchSubject& subject, double seconds, BenchFigures& figures) {
-  const std::vector<std::string> names = cpu_targets();
+  const std::vector<std::string> names = supported_target_names();
   for (const std::string& name : names) {
-    force_cpu_target(name);
+    force_target(name);
     figures.targets.emplace_back(name, Samples());
-    time_picture(subject.bgr, {}, seconds / static_cast<double>(names.size()), 20, figures.targets.back().second);
+    time_picture(subject.time_kind, subject.bgr, {}, seconds / static_cast<double>(names.size()), 20,
+                 figures.targets.back().second);
   }
-  force_cpu_target(figures.target);
+  force_target(figures.target);
 }
 
 }  // namespace
@@ -107,21 +110,22 @@ void time_targets(const BenchSubject& subject, double seconds, BenchFigures& fig
 BenchFigures measure(const BenchSubject& subject) {
   cv::setNumThreads(1);
   BenchFigures figures;
+  figures.time_kind = subject.time_kind;
   figures.frame_name = subject.name;
   figures.size = subject.bgr.size();
   const FinderConfig defaults;
   figures.patch_size_px = scaled_size_px(defaults.patch_size_vga_px, figures.size.width);
   figures.structuring_element_size_px = scaled_size_px(defaults.structuring_element_size_vga_px, figures.size.width);
-  figures.target = cpu_target();
+  figures.target = target_in_use();
   figures.core = pin_to_core();
   time_rivals(subject, 0.75 * subject.seconds, figures);
-  time_picture(noise_like(subject.bgr), {}, 0.05 * subject.seconds, 20, figures.noise);
+  time_picture(subject.time_kind, noise_like(subject.bgr), {}, 0.05 * subject.seconds, 20, figures.noise);
   FinderConfig config_4k;
   config_4k.patch_size_px = k4kSize_px;
   config_4k.structuring_element_size_px = k4kSize_px;
   cv::Mat large;
   cv::resize(subject.bgr, large, {k4kWidth_px, k4kHeight_px}, 0, 0, cv::INTER_LINEAR);
-  time_picture(large, config_4k, 0.1 * subject.seconds, 5, figures.frame_4k);
+  time_picture(subject.time_kind, large, config_4k, 0.1 * subject.seconds, 5, figures.frame_4k);
   time_targets(subject, 0.1 * subject.seconds, figures);
   return figures;
 }

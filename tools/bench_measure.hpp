@@ -18,10 +18,12 @@ struct BenchSubject {
   std::string name;       ///< of the frame, for people
   cv::Mat bgr;            ///< 8-bit, 3 channels
   double seconds = 10.0;  ///< about how long in all; > 0
+  TimeKind time_kind = TimeKind::kPassed;
 };
 
 /// All times of one run, on one core.
 struct BenchFigures {
+  TimeKind time_kind = TimeKind::kPassed;  ///< of all but the stages, which always count what passed
   std::string frame_name;
   cv::Size size;  ///< px
   int patch_size_px = 0;

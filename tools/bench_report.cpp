@@ -29,7 +29,7 @@ std::array<Ratio, 5> ratios_of(const BenchFigures& f) {
 }
 
 std::string row(const std::string& name, const Samples& samples) {
-  return fmt::format("{:<34}{:>9.4f}{:>9.4f}{:>9.4f}{:>9.4f}{:>9.4f}{:>9}\n", name, samples.median_ms(),
+  return fmt::format("{:<34}{:>10.4f}{:>10.4f}{:>10.4f}{:>10.4f}{:>10.4f}{:>9}\n", name, samples.median_ms(),
                      samples.percentile_ms(0.9), samples.percentile_ms(0.99), samples.percentile_ms(0.999),
                      samples.percentile_ms(1.0), samples.count());
 }
@@ -56,8 +56,9 @@ std::string table_of(const BenchFigures& f) {
       "frame: {}, {} x {} px BGR, patch {} px, element {} px, method paper\n\n",
       ADIT_VERSION, compiler(), CV_VERSION, cpu_model(), f.target, core, f.interruptions, f.frame_name, f.size.width,
       f.size.height, f.patch_size_px, f.structuring_element_size_px);
-  text +=
-      fmt::format("{:<34}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}\n", "ms", "median", "p90", "p99", "p99.9", "max", "samples");
+  text += fmt::format("{:<34}{:>10}{:>10}{:>10}{:>10}{:>10}{:>9}\n",
+                      f.time_kind == TimeKind::kUsed ? "ms of CPU time" : "ms", "median", "p90", "p99", "p99.9", "max",
+                      "samples");
   text += row("frame, whole", f.frame);
   for (std::size_t s = 0; s < f.stages.size(); ++s) text += row("  " + spaced(stage_name(s)), f.stages[s]);
   text += row("copy of the frame (memcpy)", f.copy);
@@ -67,7 +68,7 @@ std::string table_of(const BenchFigures& f) {
   text += row("frame of 3840 x 2160, 101 px", f.frame_4k);
   for (const auto& [name, samples] : f.targets) text += row("target " + name, samples);
   text += "\n";
-  for (const Ratio& r : ratios_of(f)) text += fmt::format("{:<34}{:>9.2f}   ({})\n", r.name, r.value, r.aim);
+  for (const Ratio& r : ratios_of(f)) text += fmt::format("{:<34}{:>10.2f}   ({})\n", r.name, r.value, r.aim);
   return text;
 }
 
@@ -78,6 +79,7 @@ std::string json_of(const BenchFigures& f) {
   json["opencv_version"] = CV_VERSION;
   json["cpu_model"] = cpu_model();
   json["target"] = f.target;
+  json["clock"] = f.time_kind == TimeKind::kUsed ? "cpu" : "wall";
   json["core"] = f.core;
   json["interruptions"] = f.interruptions;
   json["frame"] = f.frame_name;

@@ -6,11 +6,13 @@
 
 namespace adit::tools {
 
-/// Those that this CPU can run.
-[[nodiscard]] std::vector<std::string> cpu_targets();
-/// The one in use.
-[[nodiscard]] std::string cpu_target();
-/// Finders made from now on use this one. @throws io::ConfigError when it is unknown or this CPU cannot run it.
-void force_cpu_target(const std::string& name);
+/// Those that this machine can run, the fastest first.
+[[nodiscard]] std::vector<std::string> supported_target_names();
+
+/// The one in use. @throws io::ConfigError when the environment variable ADIT_TARGET asks for one that is not there.
+[[nodiscard]] std::string target_in_use();
+
+/// From now on this one. @throws io::ConfigError when it is unknown or this machine cannot run it.
+void force_target(const std::string& name);
 
 }  // namespace adit::tools

@@ -2,9 +2,9 @@
 
 #include <sched.h>
 #include <sys/resource.h>
+#include <time.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <fstream>
 
@@ -19,9 +19,10 @@ double Samples::percentile_ms(double share) const {
   return *at;
 }
 
-double now_ms() {
-  using Milliseconds = std::chrono::duration<double, std::milli>;
-  return Milliseconds(std::chrono::steady_clock::now().time_since_epoch()).count();
+double now_ms(TimeKind kind) {
+  timespec time{};
+  clock_gettime(kind == TimeKind::kPassed ? CLOCK_MONOTONIC : CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) * 1e3 + static_cast<double>(time.tv_nsec) * 1e-6;
 }
 
 int pin_to_core() {

@@ -21,8 +21,14 @@ class Samples {
   std::vector<double> times_ms_;
 };
 
+/// What counts as time.
+enum class TimeKind {
+  kPassed,  ///< on the wall: what a robot waits
+  kUsed,    ///< that this thread had a core: what a frame costs, also on a machine that is not idle
+};
+
 /// Milliseconds on a clock that only goes forward.
-[[nodiscard]] double now_ms();
+[[nodiscard]] double now_ms(TimeKind kind = TimeKind::kPassed);
 
 /// Ties this thread to the core it is on and returns its number, or -1 where that is not allowed.
 int pin_to_core();

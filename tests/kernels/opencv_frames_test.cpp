@@ -43,6 +43,22 @@ TEST_P(OpencvFrames, OddSides) {
 INSTANTIATE_TEST_SUITE_P(Contents, OpencvFrames, ::testing::ValuesIn(reference::kContents),
                          [](const auto& content) { return std::string(to_string(content.param)); });
 
+// Elements larger than those of the grid, on planes whose widths lie about powers of two.
+TEST(OpencvLargeElements, OnNarrowAndOnWidePlanes) {
+  const bool small = judging::grid_is_small();
+  for (const int width : {40, 127, 128, 129, 255, 257, 511, 512, 513, 640, 1023, 1025}) {
+    for (const ElementShape& shape :
+         {ElementShape{true, 67, 67}, ElementShape{true, 77, 77}, ElementShape{true, 129, 127},
+          ElementShape{true, 151, 41}, ElementShape{true, 31, 133}, ElementShape{true, 3, 101},
+          ElementShape{false, 257, 129}, ElementShape{true, 255, 255}}) {
+      if (small && (width + shape.height) % 4 != 0) continue;
+      const int height = 20 + (width * 7 + shape.width) % 90;
+      const Content content = width % 2 == 0 ? Content::kImpulses : Content::kGradient;
+      ASSERT_NO_FATAL_FAILURE(judge(content, width, height, shape));
+    }
+  }
+}
+
 TEST(OpencvLargeFrame, ClosingOf3840x2160) {
   if (judging::grid_is_small()) GTEST_SKIP() << "ADIT_TEST_GRID=small";
   const ElementShape shape{true, 101, 101};

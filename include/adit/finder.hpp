@@ -99,8 +99,8 @@ struct OpenSpace {
   Status status = Status::kBadFrame;
   /// In [0, 1]; 0 unless found. Method `paper`: fill * contrast, where fill is fill_of(moments) (is the darkest cluster
   /// one solid patch, so that its mean lies on it?) and contrast is how much darker that cluster is than the rest of
-  /// the frame, (rest - cluster) / rest in mean level of the closed dark channel. It orders frames; it is not a
-  /// probability.
+  /// the frame, (rest - cluster) / rest in mean level of the closed dark channel. It describes the
+  /// cluster and is not a probability: a solid dark wall also scores well.
   double confidence = 0.0;
   /// Openings, the best first. [0] is what centroid and bearing below repeat. Empty unless found.
   std::array<Opening, kOpeningCountMax> openings{};

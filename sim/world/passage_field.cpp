@@ -50,6 +50,26 @@ AxisPoint beyond(const AxisPoint& end, const AxisPoint& before) {
   return point;
 }
 
+/// How far the axis may lie beside a stretch that stands for it, and how long a stretch may be.
+constexpr float kStretchTolerance_m = 0.03f;
+constexpr float kStretchLength_m = 6.0f;
+
+/// True when the points between `first` and `last` lie on the line between these, width and height too.
+bool is_even(const std::vector<AxisPoint>& axis, std::size_t first, std::size_t last) {
+  const AxisPoint& a = axis[first];
+  const AxisPoint& b = axis[last];
+  const float length = (b.place - a.place).norm();
+  if (length > kStretchLength_m) return false;
+  for (std::size_t i = first + 1; i < last; ++i) {
+    const float share = (axis[i].place - a.place).norm() / length;
+    const float off = (a.place + share * (b.place - a.place) - axis[i].place).norm() +
+                      std::abs(std::lerp(a.width_m, b.width_m, share) - axis[i].width_m) +
+                      std::abs(std::lerp(a.height_m, b.height_m, share) - axis[i].height_m);
+    if (off > kStretchTolerance_m) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 PassageField::PassageField(const Layout& layout, float crown_fraction, float blend_m, float apron_m)
@@ -69,7 +89,12 @@ void PassageField::add_passage(const Passage& passage, int index, const std::vec
   if (first == NodeKind::kMouth) axis.insert(axis.begin(), beyond(axis[0], axis[1]));
   if (last == NodeKind::kMouth) axis.push_back(beyond(axis.back(), axis[axis.size() - 2]));
   const std::size_t begin = stretches_.size();
-  for (std::size_t i = 0; i + 1 < axis.size(); ++i) stretches_.push_back(stretch_between(axis[i], axis[i + 1], index));
+  for (std::size_t i = 0; i + 1 < axis.size();) {
+    std::size_t to = i + 1;
+    while (to + 1 < axis.size() && is_even(axis, i, to + 1)) ++to;
+    stretches_.push_back(stretch_between(axis[i], axis[to], index));
+    i = to;
+  }
   if (first == NodeKind::kDeadEnd) stretches_[begin].flat_start = true;
   if (last == NodeKind::kDeadEnd) stretches_.back().flat_end = true;
 }
@@ -87,7 +112,9 @@ float PassageField::distance_to(const Stretch& s, const Eigen::Vector3f& p, floa
   const float corner = crown_fraction_ * std::min(half_width, height);
   const float qx = aside - (half_width - corner);
   const float qz = above_floor - (height - corner);
-  const float outside = std::hypot(std::max(qx, 0.0f), std::max(qz, 0.0f));
+  const float out_x = std::max(qx, 0.0f);
+  const float out_z = std::max(qz, 0.0f);
+  const float outside = std::sqrt(out_x * out_x + out_z * out_z);
   float distance = std::min(std::max(qx, qz), 0.0f) + outside - corner;
   if (s.flat_start) distance = smooth_max(distance, -along, kFloorFillet_m);
   if (s.flat_end) distance = smooth_max(distance, along - s.length, kFloorFillet_m);

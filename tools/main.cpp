@@ -8,6 +8,7 @@
 
 #include "adit/io/errors.hpp"
 #include "exit_code.hpp"
+#include "help_format.hpp"
 #include "progress.hpp"
 #include "subcommands.hpp"
 #include "version.hpp"
@@ -30,16 +31,22 @@ void silence_libraries() {
   cv::setNumThreads(1);
 }
 
-/// "--jobs: Value 0 not in range (see adit run --help)", on one line.
+/// "--jobs: Value 0 not in range 1 to 256 (see adit run --help)", on one line.
 std::string usage_fault(const CLI::App* app, const CLI::Error& error) {
   std::string program = "adit";
   for (const CLI::App* chosen : app->get_subcommands()) program += " " + chosen->get_name();
-  return std::string("adit: ") + error.what() + " (see " + program + " --help)\n";
+  const std::vector<std::string> unknown = app->remaining();
+  const std::string what = app->get_subcommands().empty() && !unknown.empty()
+                               ? "'" + unknown.front() + "' is no subcommand"
+                               : std::string(error.what());
+  return "adit: " + what + " (see " + program + " --help)\n";
 }
 
 ExitCode run(int argc, char** argv) {
   CLI::App app{"Where the open space is, in the dark, from one camera.", "adit"};
-  app.set_version_flag("--version", "adit " ADIT_VERSION);
+  app.set_version_flag("--version", "adit " ADIT_VERSION, "The version");
+  app.formatter(std::make_shared<adit::tools::HelpFormat>());
+  app.set_help_flag("-h,--help", "This page");
   app.require_subcommand(1);
   app.failure_message(usage_fault);
   app.footer("Example: adit run data/clip.avi --csv headings.csv");

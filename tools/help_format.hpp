@@ -1,0 +1,31 @@
+// Help that fits one screen: a narrow left column, no ranges in it.
+#pragma once
+
+#include <CLI/App.hpp>
+#include <CLI/Formatter.hpp>
+#include <string>
+
+namespace adit::tools {
+
+class HelpFormat : public CLI::Formatter {
+ public:
+  HelpFormat() { column_width(24); }
+
+  /// Inputs are known by what they are, INPUT...
+  std::string make_option_name(const CLI::Option* option, bool is_positional) const override {
+    return is_positional ? kind_of(option) : Formatter::make_option_name(option, false);
+  }
+  std::string make_option_opts(const CLI::Option* option) const override {
+    return option->get_type_size() == 0 || option->get_positional() ? "" : " " + kind_of(option);
+  }
+  std::string make_option_usage(const CLI::Option* option) const override { return kind_of(option); }
+
+ private:
+  /// CLI11 puts the range behind a colon.
+  static std::string kind_of(const CLI::Option* option) {
+    const std::string kind = option->get_type_name();
+    return kind.substr(0, kind.find(':'));
+  }
+};
+
+}  // namespace adit::tools

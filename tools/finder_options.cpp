@@ -12,8 +12,7 @@ void add_configuration_options(CLI::App& subcommand, FinderOptions& options) {
   // One value each time, or it would swallow the inputs that follow.
   subcommand.add_option("--set", options.settings, "One setting, over those of --config; repeatable")
       ->type_name("KEY=VALUE")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+      ->allow_extra_args(false);
 }
 
 void add_finder_options(CLI::App& subcommand, FinderOptions& options) {

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 bool same_place(const std::string& a, const std::string& b) {
   std::error_code error;
   if (fs::equivalent(a, b, error)) return true;
-  return fs::weakly_canonical(a, error) == fs::weakly_canonical(b, error);
+  return fs::weakly_canonical(fs::absolute(a), error) == fs::weakly_canonical(fs::absolute(b), error);
 }
 
 /// Devices and standard output may be written by several, /dev/null above all.
@@ -95,6 +95,9 @@ void RunOutputs::write_frame(std::int64_t number, const std::string& source, con
 
 void RunOutputs::commit() {
   release();
+  // First all bytes reach the disk, then the names appear: a full disk leaves none of them.
+  for (Table& table : tables_) table.file.finish();
+  if (video_) video_->finish();
   for (Table& table : tables_) table.file.commit();
   if (video_) video_->commit();
 }

@@ -84,10 +84,14 @@ PendingFile::~PendingFile() {
 PendingFile::PendingFile(PendingFile&& other) noexcept
     : final_path_(std::move(other.final_path_)), temporary_path_(std::exchange(other.temporary_path_, {})) {}
 
-void PendingFile::commit() {
+void PendingFile::sync() {
   if (const int error = sync_path(temporary_path_, O_RDONLY); error != 0) {
     refuse(final_path_.string(), std::strerror(error));
   }
+}
+
+void PendingFile::commit() {
+  sync();
   if (::rename(temporary_path_.c_str(), final_path_.c_str()) != 0) refuse(final_path_.string(), std::strerror(errno));
   temporary_path_.clear();
   // The new name itself; some file systems cannot, and the file is whole all the same.
@@ -133,9 +137,15 @@ void OutputFile::flush() {
   buffer_.clear();
 }
 
-void OutputFile::commit() {
+void OutputFile::finish() {
+  if (descriptor_ < 0) return;
   flush();
   if (::close(std::exchange(descriptor_, -1)) != 0) refuse(name_, std::strerror(errno));
+  if (pending_) pending_->sync();
+}
+
+void OutputFile::commit() {
+  finish();
   if (pending_) pending_->commit();
 }
 

@@ -43,9 +43,11 @@ cv::Mat fitted(const cv::Mat& picture, cv::Size size) {
   return canvas;
 }
 
-bool is_disk_full(const std::filesystem::path& path) {
+bool is_disk_full(const std::filesystem::path& file) {
+  // The folder, for an encoder that fails may have removed the file.
+  const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
   struct statvfs disk {};
-  return ::statvfs(path.c_str(), &disk) == 0 && disk.f_bavail * disk.f_frsize < (1u << 16);
+  return ::statvfs(folder.c_str(), &disk) == 0 && disk.f_bavail * disk.f_frsize < (1u << 16);
 }
 
 }  // namespace
@@ -93,10 +95,16 @@ void VideoFile::write(const cv::Mat& bgr) {
   ++encoder_->frame_count;
 }
 
-void VideoFile::commit() {
-  if (encoder_->frame_count == 0) return;
+void VideoFile::finish() {
+  if (encoder_->frame_count == 0 || !encoder_->writer.isOpened()) return;
   encoder_->writer.release();
   encoder_->check();
+  encoder_->file.sync();
+}
+
+void VideoFile::commit() {
+  if (encoder_->frame_count == 0) return;
+  finish();
   encoder_->file.commit();
 }
 

@@ -22,7 +22,9 @@ class PendingFile {
   [[nodiscard]] const std::filesystem::path& final_path() const noexcept { return final_path_; }
   [[nodiscard]] const std::filesystem::path& temporary_path() const noexcept { return temporary_path_; }
 
-  /// @throws OutputError
+  /// Waits until the disk has all of it. @throws OutputError
+  void sync();
+  /// sync() and the final name. @throws OutputError
   void commit();
 
  private:
@@ -42,7 +44,9 @@ class OutputFile {
 
   /// @throws OutputError "PATH: cannot be written: No space left on device"
   void write(std::string_view text);
-  /// Puts the file in its place. @throws OutputError
+  /// Nothing more will be written: all of it reaches the disk, still under the temporary name. @throws OutputError
+  void finish();
+  /// finish(), if that was not done, and the final name. @throws OutputError
   void commit();
 
   /// For messages: the path, or "standard output".

@@ -21,8 +21,10 @@ class VideoFile {
   /// with black bars. @throws OutputError when no encoder can be had.
   void write(const cv::Mat& bgr);
 
-  /// Closes the file, looks whether all its frames can be found again, and puts it in its place. A video without a
-  /// frame does not appear at all. @throws OutputError
+  /// Closes the file and looks whether all its frames can be found again. @throws OutputError
+  void finish();
+  /// finish(), if that was not done, and the final name. A video without a frame does not appear at all.
+  /// @throws OutputError
   void commit();
 
   [[nodiscard]] std::int64_t frame_count() const noexcept;

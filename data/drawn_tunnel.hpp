@@ -6,7 +6,7 @@
 namespace adit::drawn {
 
 /// The clip: frames of 640 x 480 px, 30 a second.
-inline constexpr int kFrameCount = 90;
+inline constexpr int kFrameCount = 60;
 inline constexpr double kRate_hz = 30.0;
 inline constexpr int kWidth_px = 640;
 inline constexpr int kHeight_px = 480;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kStillIndex = 45;
 constexpr int kStillQuality = 92;
-constexpr int kClipQuality = 28;
+constexpr int kClipQuality = 40;
 constexpr int kShrink = 2;  // the clip is drawn at the camera's size and halved: four drawn pixels for each of its own
 
 void make_clip(const std::string& folder) {

@@ -2,6 +2,7 @@
 
 #include "adit/sim/course.hpp"
 #include "adit/sim/world_error.hpp"
+#include "fittings.hpp"
 #include "layout.hpp"
 #include "rock.hpp"
 #include "surface_nets.hpp"
@@ -17,6 +18,7 @@ World build_course(const CourseConfig& config) {
   world.name = config.name;
   world.materials = materials_of(config);
   world.mesh = mesh_of(field, config);
+  add_fittings(field, config, layout, world.mesh);
   for (const LampPlan& lamp : config.lamps) {
     WorldLamp hung;
     hung.place = Eigen::Vector3d(lamp.x_m, lamp.y_m, lamp.z_m).cast<float>();

@@ -42,6 +42,7 @@ struct Layout {
 /// The three kinds of layout, see LayoutKind.
 [[nodiscard]] Layout lay_out_moves(const CourseConfig& config);
 [[nodiscard]] Layout lay_out_random(const CourseConfig& config);
+[[nodiscard]] Layout lay_out_network(const CourseConfig& config);
 [[nodiscard]] Layout lay_out_tiles(const CourseConfig& config);
 
 /// A place with a direction, from which the next stretch of axis is laid.

@@ -91,7 +91,7 @@ std::vector<Material> materials_of(const CourseConfig& config) {
       {"wet_rock", 0.5f * albedo, sigma, 0.5f, 0.25f, 90.0f, 0.0f, 0.25f, 0.3f, rock},
       {"gravel", 0.8f * albedo, sigma, 0.15f, 0.0f, 30.0f, 0.0f, 0.6f, 0.06f, rock},
       {"wet_gravel", 0.4f * albedo, sigma, 0.25f, 0.3f, 120.0f, 0.0f, 0.12f, 0.1f, rock},
-      {"stone", 0.95f * albedo, sigma, 0.4f, 0.0f, 30.0f, 0.0f, 0.2f, 0.1f, rock},
+      {"stone", 0.8f * albedo, sigma, 0.4f, 0.0f, 30.0f, 0.0f, 0.2f, 0.1f, rock},
       {"pipe", 0.35f, 0.15f, 0.8f, 0.2f, 40.0f, 0.0f, 0.0f, 0.3f, grey},
       {"cable", 0.04f, 0.1f, 0.5f, 0.08f, 40.0f, 0.0f, 0.0f, 0.3f, grey},
       {"timber", 0.25f, 0.3f, 0.2f, 0.0f, 30.0f, 0.0f, 0.1f, 0.1f, wood},

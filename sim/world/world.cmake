@@ -8,8 +8,11 @@ target_sources(adit_sim PRIVATE
   world/build_course.cpp
   world/course_check.cpp
   world/course_yaml.cpp
+  world/fitting_shapes.cpp
+  world/fittings.cpp
   world/layout.cpp
   world/layout_moves.cpp
+  world/layout_network.cpp
   world/layout_random.cpp
   world/layout_tiles.cpp
   world/noise.cpp

@@ -1,0 +1,240 @@
+// From pose to linear light: rays, surfaces, lamps with shadows, indirect light, dust. Tiles know nothing of each
+// other, so the frame does not depend on who computes which.
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "parts.hpp"
+
+namespace adit::sim {
+namespace {
+
+using Eigen::Vector3f;
+
+void fill_row_poses(Renderer::Parts& parts, const CameraMotion& motion, float readout_s) {
+  parts.row_poses.resize(static_cast<std::size_t>(parts.rows));
+  for (int v = 0; v < parts.rows; ++v) {
+    const float t =
+        readout_s *
+        (static_cast<float>(std::min(v, parts.height - 1)) / static_cast<float>(std::max(parts.height - 1, 1)) - 0.5f);
+    const Vector3f turn = motion.turn_rate_rad_s * t;
+    Eigen::Matrix3f rotation = motion.pose.linear();
+    if (turn.norm() > 1e-9f) rotation = rotation * Eigen::AngleAxisf(turn.norm(), turn.normalized()).toRotationMatrix();
+    const Vector3f place = motion.pose.translation() + motion.pose.linear() * motion.velocity_m_s * t;
+    RowPose& row = parts.row_poses[static_cast<std::size_t>(v)];
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j < 3; ++j) row.rotation[3 * i + j] = rotation(i, j);
+      row.place[i] = place[i];
+    }
+    for (std::size_t l = 0; l < parts.own_lamps.size(); ++l) {
+      const Vector3f p = place + rotation * parts.own_lamps[l].place, a = rotation * parts.own_lamps[l].axis;
+      for (int i = 0; i < 3; ++i) {
+        row.lamp_place[l][i] = p[i];
+        row.lamp_axis[l][i] = a[i];
+      }
+    }
+  }
+}
+
+/// Closest hits of all lanes. @return whether anything was hit.
+bool trace(Tile& t, const Renderer::Parts& parts) {
+  Rays8 rays;
+  Hits8 hits;
+  bool any = false;
+  for (int i = 0; i < kTileLanes; i += 8) {
+    const float* const from[3] = {t.ox + i, t.oy + i, t.oz + i};
+    const float* const along[3] = {t.dx + i, t.dy + i, t.dz + i};
+    for (int k = 0; k < 3; ++k) {
+      std::memcpy(rays.origin[k], from[k], sizeof rays.origin[k]);
+      std::memcpy(rays.direction[k], along[k], sizeof rays.direction[k]);
+    }
+    for (int j = 0; j < 8; ++j) {
+      rays.tnear[j] = 0.02f;
+      rays.tfar[j] = kRangeOfNothing_m;
+    }
+    parts.scene->intersect8(rays, hits);
+    for (int j = 0; j < 8; ++j) {
+      const bool hit = hits.triangle[j] != kNoTriangle;
+      any |= hit;
+      t.range[i + j] = hit ? hits.t[j] : kRangeOfNothing_m;
+      t.gx[i + j] = hit ? hits.normal[0][j] : 0.0f;
+      t.gy[i + j] = hit ? hits.normal[1][j] : 0.0f;
+      t.gz[i + j] = hit ? hits.normal[2][j] : 1.0f;
+      t.bu[i + j] = hit ? hits.u[j] : 0.0f;
+      t.bv[i + j] = hit ? hits.v[j] : 0.0f;
+      t.triangle[i + j] = hit ? static_cast<std::int32_t>(hits.triangle[j]) : -1;
+      t.material[i + j] = hit ? parts.world->mesh.materials[hits.triangle[j]] : 0;
+    }
+  }
+  return any;
+}
+
+/// Takes the shares of the last lamp over where nothing stands between; shares below least_lux are dropped.
+void add_unshadowed(Tile& t, const Renderer::Parts& parts, float least_lux, float* into, float* specular_into) {
+  Rays8 rays;
+  for (int i = 0; i < kTileLanes; i += 8) {
+    std::uint32_t wanted = 0;
+    for (int j = 0; j < 8; ++j)
+      wanted |= static_cast<std::uint32_t>((t.share[i + j] > least_lux) | (t.share_specular[i + j] > least_lux)) << j;
+    if (wanted == 0) continue;
+    std::uint32_t dark = 0;
+    if (parts.render.shadows) {
+      for (int j = 0; j < 8; ++j) {
+        // Off the surface, so that it does not shade itself.
+        const float off = 2e-3f + 2e-4f * t.range[i + j];
+        rays.origin[0][j] = t.px[i + j] + off * t.gx[i + j];
+        rays.origin[1][j] = t.py[i + j] + off * t.gy[i + j];
+        rays.origin[2][j] = t.pz[i + j] + off * t.gz[i + j];
+        rays.direction[0][j] = t.lx[i + j] - off * t.gx[i + j];
+        rays.direction[1][j] = t.ly[i + j] - off * t.gy[i + j];
+        rays.direction[2][j] = t.lz[i + j] - off * t.gz[i + j];
+        rays.tnear[j] = 0.0f;
+        rays.tfar[j] = (wanted >> j & 1u) ? 0.999f : -1.0f;
+      }
+      dark = parts.scene->occluded8(rays);
+    }
+    const std::uint32_t lit = wanted & ~dark;
+    for (int j = 0; j < 8; ++j) {
+      const float through = (lit >> j & 1u) ? 1.0f : 0.0f;
+      into[i + j] += through * t.share[i + j];
+      specular_into[i + j] += through * t.share_specular[i + j];
+    }
+  }
+}
+
+struct Bounds {
+  Vector3f low = Vector3f::Constant(1e30f), high = Vector3f::Constant(-1e30f);
+  [[nodiscard]] float distance2_to(const float* p) const {
+    float sum = 0.0f;
+    for (int k = 0; k < 3; ++k) {
+      const float d = std::max({low[k] - p[k], 0.0f, p[k] - high[k]});
+      sum += d * d;
+    }
+    return sum;
+  }
+};
+
+Bounds bounds_of(const Tile& t) {
+  Bounds b;
+  for (int i = 0; i < kTileLanes; ++i) {
+    if (t.triangle[i] < 0) continue;
+    const Vector3f p(t.px[i], t.py[i], t.pz[i]);
+    b.low = b.low.cwiseMin(p);
+    b.high = b.high.cwiseMax(p);
+  }
+  return b;
+}
+
+void add_own_lamps(Tile& t, const Renderer::Parts& parts, const RowPose* rows, float least_lux) {
+  for (std::size_t l = 0; l < parts.own_lamps.size(); ++l) {
+    const OwnLamp& lamp = parts.own_lamps[l];
+    shade_kernels().lamp(t, {rows[0].lamp_place[l], rows[0].lamp_axis[l], sizeof(RowPose) / sizeof(float),
+                             lamp.lobe.table(), lamp.intensity_cd, 0.0f, parts.rig.dust.extinction_1_m});
+    add_unshadowed(t, parts, least_lux, t.own, t.own_specular);
+  }
+}
+
+void add_foreign_lamps(Tile& t, const Renderer::Parts& parts, float least_lux) {
+  if (parts.foreign_lamps.empty()) return;
+  const Bounds bounds = bounds_of(t);
+  const float sigma = parts.rig.dust.extinction_1_m;
+  for (const ForeignLamp& lamp : parts.foreign_lamps) {
+    const float radius2 = lamp.radius_m * lamp.radius_m;
+    const float d2 = bounds.distance2_to(lamp.place.data()) + radius2;
+    if (lamp.intensity_cd * std::exp(-sigma * std::sqrt(d2)) < least_lux * d2) continue;
+    shade_kernels().lamp(
+        t, {lamp.place.data(), lamp.axis.data(), 0, lamp.lobe.table(), lamp.intensity_cd, radius2, sigma});
+    add_unshadowed(t, parts, least_lux, lamp.daylight ? t.sky : t.foreign, t.foreign_specular);
+  }
+  const float clamp2 = parts.render.indirect_clamp_m * parts.render.indirect_clamp_m;
+  for (const VirtualLight& light : parts.foreign_bounces)
+    if (light.power > least_lux * (bounds.distance2_to(light.place) + clamp2))
+      shade_kernels().virtual_lights(t, &light, 1, clamp2, sigma);
+}
+
+/// The open sky over rock that lies outside: a ray straight up decides.
+void add_zenith(Tile& t, const Renderer::Parts& parts) {
+  constexpr float kReach_m = 40.0f;
+  const float lux = parts.world->sky_lux;
+  if (lux <= 0.0f) return;
+  if (!parts.mouths.empty()) {
+    const Bounds bounds = bounds_of(t);
+    if (std::none_of(parts.mouths.begin(), parts.mouths.end(),
+                     [&](const Vector3f& m) { return bounds.distance2_to(m.data()) < kReach_m * kReach_m; }))
+      return;
+  }
+  Rays8 rays;
+  for (int i = 0; i < kTileLanes; i += 8) {
+    for (int j = 0; j < 8; ++j) {
+      rays.origin[0][j] = t.px[i + j] + 0.01f * t.gx[i + j];
+      rays.origin[1][j] = t.py[i + j] + 0.01f * t.gy[i + j];
+      rays.origin[2][j] = t.pz[i + j] + 0.01f * t.gz[i + j];
+      rays.direction[0][j] = rays.direction[1][j] = 0.0f;
+      rays.direction[2][j] = 1.0f;
+      rays.tnear[j] = 0.0f;
+      rays.tfar[j] = t.triangle[i + j] >= 0 && t.gz[i + j] > -0.2f ? 1e4f : -1.0f;
+    }
+    const std::uint32_t dark = parts.scene->occluded8(rays);
+    for (int j = 0; j < 8; ++j)
+      if (rays.tfar[j] > 0.0f && !(dark >> j & 1u)) t.sky[i + j] += lux * (0.5f + 0.5f * t.nz[i + j]);
+  }
+}
+
+void light_tile(Renderer::Parts& parts, int tile_u, int tile_v, float least_lux) {
+  static thread_local Tile t;
+  const int u0 = tile_u * kTileWidth, v0 = tile_v * kTileHeight;
+  const std::size_t at = static_cast<std::size_t>(v0) * parts.stride + u0;
+  const RowPose* const rows = &parts.row_poses[static_cast<std::size_t>(v0)];
+  const float* const directions[3] = {&parts.directions[0][at], &parts.directions[1][at], &parts.directions[2][at]};
+  const ShadeKernels& kernels = shade_kernels();
+  kernels.aim(t, rows, directions, parts.stride);
+  const bool any = trace(t, parts);
+  kernels.surface(t, {&parts.materials, parts.corner_normals.data(), parts.pixel_angle, parts.render.facets});
+  const RenderConfig& r = parts.render;
+  if (any) {
+    add_own_lamps(t, parts, rows, least_lux);
+    kernels.virtual_lights(t, parts.bounces.data(), static_cast<int>(parts.bounces.size()),
+                           r.indirect_clamp_m * r.indirect_clamp_m, parts.rig.dust.extinction_1_m);
+    add_foreign_lamps(t, parts, least_lux);
+    add_zenith(t, parts);
+  }
+  const LampRig& lamps = parts.rig.lamps;
+  constexpr float kSkyRed = 0.92f, kSkyBlue = 1.12f;  // a clear sky and sun together, about 6500 K
+  const ComposeTerms terms{lamps.tint_red,
+                           lamps.tint_blue,
+                           r.foreign_red,
+                           r.foreign_blue,
+                           kSkyRed,
+                           kSkyBlue,
+                           parts.rig.dust.extinction_1_m,
+                           parts.world->sky_lux / 3.14159265f,
+                           parts.backscatter.get(),
+                           static_cast<float>(BackscatterTable::kNodesX - 1) / static_cast<float>(parts.stride),
+                           static_cast<float>(BackscatterTable::kNodesY - 1) / static_cast<float>(parts.rows),
+                           u0,
+                           v0};
+  float* const planes[3] = {&parts.planes[0][at], &parts.planes[1][at], &parts.planes[2][at]};
+  kernels.compose(t, terms, planes, &parts.range[at], parts.stride);
+}
+
+}  // namespace
+
+void light_pass(Renderer::Parts& parts, const CameraMotion& motion, float readout_s) {
+  fill_row_poses(parts, motion, readout_s);
+  parts.bounces.clear();
+  const int lamp_count = static_cast<int>(parts.own_lamps.size());
+  for (const OwnLamp& lamp : parts.own_lamps) {
+    Eigen::Isometry3f in_camera = Eigen::Isometry3f::Identity();
+    in_camera.translate(lamp.place);
+    in_camera.rotate(Eigen::Quaternionf::FromTwoVectors(Vector3f::UnitZ(), lamp.axis));
+    const int count = parts.render.virtual_lights / std::max(lamp_count, 1);
+    if (count > 0)
+      add_bounces(parts.bounces, *parts.world, *parts.scene, motion.pose * in_camera, lamp.lobe, lamp.intensity_cd,
+                  count, parts.rig.dust.extinction_1_m, 0);
+  }
+  const float least_lux = parts.render.cull_fraction * motion.white_luminance * 3.14159265f;
+  const int across = parts.stride / kTileWidth;
+  parts.each(across * (parts.rows / kTileHeight), [&](int i) { light_tile(parts, i % across, i / across, least_lux); });
+}
+
+}  // namespace adit::sim

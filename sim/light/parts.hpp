@@ -1,0 +1,107 @@
+// What a Renderer is made of; shared by its passes.
+#pragma once
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <memory>
+#include <vector>
+
+#include "adit/sim/render.hpp"
+#include "tile.hpp"
+
+namespace adit::sim {
+
+/// A lamp that does not sit on the vehicle, or a piece of the bright mouth of the tunnel.
+struct ForeignLamp {
+  Eigen::Vector3f place, axis;
+  LampLobe lobe;
+  float intensity_cd;
+  float radius_m;
+  bool daylight;  ///< a piece of the mouth: no emitter to be seen, colour of the sky
+};
+
+/// A lamp of the rig in the optical frame.
+struct OwnLamp {
+  Eigen::Vector3f place, axis;
+  LampLobe lobe;
+  float intensity_cd;
+};
+
+/// Where the camera is in the middle of the exposure and how it moves, in its own frame.
+struct CameraMotion {
+  Eigen::Isometry3f pose;           ///< optical frame to world
+  Eigen::Vector3f velocity_m_s;     ///< optical frame
+  Eigen::Vector3f turn_rate_rad_s;  ///< optical frame
+  float white_luminance;            ///< cd/m^2 that saturates the sensor at this exposure
+};
+
+/// Tables of the sensor, made once.
+struct SensorTables {
+  std::vector<float> sensitivity, offset_e, gauss;
+  std::vector<std::uint8_t> tone;
+};
+
+struct Renderer::Parts {
+  const World* world = nullptr;
+  RigConfig rig;
+  RenderConfig render;
+  std::shared_ptr<const RayScene> scene;
+  std::unique_ptr<Camera> camera;
+  std::unique_ptr<tbb::task_arena> arena;           ///< null: one thread
+  int width = 0, height = 0, stride = 0, rows = 0;  ///< stride and rows are rounded up to whole tiles
+  float pixel_angle = 0.0f;
+  std::vector<float> directions[3];
+  std::vector<float> corner_normals;
+  MaterialTable materials{};
+  std::vector<OwnLamp> own_lamps;
+  std::vector<ForeignLamp> foreign_lamps;
+  std::vector<VirtualLight> foreign_bounces;
+  std::vector<Eigen::Vector3f> mouths;
+  std::unique_ptr<BackscatterTable> backscatter;
+  SensorTables sensor;
+  // Of the frame under work.
+  std::vector<float> planes[3], blurred[3], range, mosaic;
+  std::vector<VirtualLight> bounces;
+  std::vector<RowPose> row_poses;
+
+  /// body(i) for i in [0, count): on all threads of the arena, in any order.
+  template <class Body>
+  void each(int count, const Body& body) {
+    if (!arena) {
+      for (int i = 0; i < count; ++i) body(i);
+      return;
+    }
+    arena->execute([&] {
+      tbb::parallel_for(tbb::blocked_range<int>(0, count), [&](const tbb::blocked_range<int>& r) {
+        for (int i = r.begin(); i < r.end(); ++i) body(i);
+      });
+    });
+  }
+};
+
+// Made once.
+std::vector<float> corner_normals_of(const Mesh& mesh);
+MaterialTable material_table_of(const World& world);
+std::vector<ForeignLamp> foreign_lamps_of(const World& world, const RayScene& scene);
+std::vector<VirtualLight> bounces_of_foreign(const World& world, const RayScene& scene,
+                                             const std::vector<ForeignLamp>& lamps, float extinction_1_m);
+std::unique_ptr<BackscatterTable> backscatter_of(const std::vector<OwnLamp>& lamps, const DustConfig& dust,
+                                                 const Camera& camera, int stride, int rows);
+SensorTables sensor_tables_of(const Renderer::Parts& parts);
+
+/// Where light of one lamp lands first: `count` points of a Fibonacci lattice over the lobe.
+/// @param pose lamp's frame (z along the axis) to world.
+void add_bounces(std::vector<VirtualLight>& lights, const World& world, const RayScene& scene,
+                 const Eigen::Isometry3f& pose, const LampLobe& lobe, float intensity_cd, int count,
+                 float extinction_1_m, int colour);
+
+// The passes, in order.
+void light_pass(Renderer::Parts& parts, const CameraMotion& motion, float readout_s);
+void lens_pass(Renderer::Parts& parts, const CameraMotion& motion, const Shot& shot);
+void grains_pass(Renderer::Parts& parts, const CameraMotion& motion, const Shot& shot);
+void sensor_pass(Renderer::Parts& parts, const Shot& shot, Frame& frame);
+void jpeg_pass(const SensorConfig& sensor, Frame& frame);
+
+}  // namespace adit::sim

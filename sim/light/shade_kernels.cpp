@@ -1,0 +1,271 @@
+// The shading loops. CMake compiles this file once per CPU target, with ADIT_SHADE_TARGET naming it.
+#include "facet_noise.hpp"
+#include "lanes.hpp"
+#include "sensor_rows.hpp"
+#include "tile.hpp"
+
+#define ADIT_TEXT_(x) #x
+#define ADIT_TEXT(x) ADIT_TEXT_(x)
+#define ADIT_JOIN_(a, b) a##b
+#define ADIT_JOIN(a, b) ADIT_JOIN_(a, b)
+
+namespace adit::sim {
+namespace {
+
+constexpr float kPi = 3.14159265f;
+// Lanes do not touch each other's memory.
+#define ADIT_LANES _Pragma("GCC ivdep")
+
+void aim(Tile& t, const RowPose* rows, const float* const directions[3], int stride) {
+  for (int v = 0; v < kTileHeight; ++v) {
+    float r[9], place[3];
+    for (int k = 0; k < 9; ++k) r[k] = rows[v].rotation[k];
+    for (int k = 0; k < 3; ++k) place[k] = rows[v].place[k];
+    const float* const dx = directions[0] + v * stride;
+    const float* const dy = directions[1] + v * stride;
+    const float* const dz = directions[2] + v * stride;
+    ADIT_LANES
+    for (int u = 0; u < kTileWidth; ++u) {
+      const int i = v * kTileWidth + u;
+      const float x = dx[u], y = dy[u], z = dz[u];
+      t.dx[i] = r[0] * x + r[1] * y + r[2] * z;
+      t.dy[i] = r[3] * x + r[4] * y + r[5] * z;
+      t.dz[i] = r[6] * x + r[7] * y + r[8] * z;
+      t.ox[i] = place[0];
+      t.oy[i] = place[1];
+      t.oz[i] = place[2];
+    }
+  }
+}
+
+/// Place, interpolated normal, geometric normal turned to the eye.
+void geometry(Tile& t, const float* normals) {
+  ADIT_LANES
+  for (int i = 0; i < kTileLanes; ++i) {
+    t.px[i] = t.ox[i] + t.dx[i] * t.range[i];
+    t.py[i] = t.oy[i] + t.dy[i] * t.range[i];
+    t.pz[i] = t.oz[i] + t.dz[i] * t.range[i];
+    float gx = t.gx[i], gy = t.gy[i], gz = t.gz[i];
+    const float side = gx * t.dx[i] + gy * t.dy[i] + gz * t.dz[i] > 0.0f ? -1.0f : 1.0f;
+    const float g = side / std::sqrt(gx * gx + gy * gy + gz * gz + 1e-30f);
+    t.gx[i] = gx *= g;
+    t.gy[i] = gy *= g;
+    t.gz[i] = gz *= g;
+    const std::int32_t at = (t.triangle[i] < 0 ? 0 : t.triangle[i]) * 9;
+    const float b = t.bu[i], c = t.bv[i], a = 1.0f - b - c;
+    const float nx = a * normals[at] + b * normals[at + 3] + c * normals[at + 6];
+    const float ny = a * normals[at + 1] + b * normals[at + 4] + c * normals[at + 7];
+    const float nz = a * normals[at + 2] + b * normals[at + 5] + c * normals[at + 8];
+    // On the side of the geometric normal, whatever the winding.
+    const float turn = nx * gx + ny * gy + nz * gz < 0.0f ? -1.0f : 1.0f;
+    const float n = turn / std::sqrt(nx * nx + ny * ny + nz * nz + 1e-30f);
+    t.nx[i] = nx * n;
+    t.ny[i] = ny * n;
+    t.nz[i] = nz * n;
+  }
+}
+
+void reflectance(Tile& t, const MaterialTable& m) {
+  ADIT_LANES
+  for (int i = 0; i < kTileLanes; ++i) {
+    const std::int32_t k = t.material[i];
+    t.albedo[i] = m.albedo[k];
+    t.red[i] = m.red[k];
+    t.blue[i] = m.blue[k];
+    t.specular[i] = m.specular[k];
+    t.shininess[i] = m.shininess[k];
+    t.emission[i] = m.emission[k];
+  }
+}
+
+/// Facets tilt the normal; patches, stains and wetness change the reflectance.
+void roughen(Tile& t, const SurfaceTerms& terms) {
+  const SurfaceTerms s = terms;
+  const MaterialTable& m = *s.materials;
+  ADIT_LANES
+  for (int i = 0; i < kTileLanes; ++i) {
+    const std::int32_t k = t.material[i];
+    const float slope = m.facet_slope[k], per_m = m.facet_1_m[k];
+    // Facets smaller than some two pixels melt away; their tilt is then the Lambert surface's own roughness.
+    const float footprint = t.range[i] * s.pixel_angle * 2.0f;
+    float gx = 0.0f, gy = 0.0f, gz = 0.0f, height = 0.0f;
+    const float px = t.px[i], py = t.py[i], pz = t.pz[i];
+    const auto add = [&](const Lattice& lattice, float scale, float weight, std::uint32_t seed)
+        __attribute__((always_inline)) {
+      const float seen = weight * clamped(2.0f - 2.0f * footprint * scale, 0.0f, 1.0f);
+      const FacetSample f = facet_noise(px * scale, py * scale, pz * scale, lattice, seed);
+      gx += seen * f.gx;
+      gy += seen * f.gy;
+      gz += seen * f.gz;
+      height += seen * f.value;
+    };
+    add(kLattices[0], per_m, 0.30f, 0x9e3779b9u);
+    add(kLattices[1], per_m * 2.9f, 0.25f, 0x3c6ef372u);
+    add(kLattices[2], per_m * 8.4f, 0.20f, 0xdaa66d2bu);
+    add(kLattices[3], per_m * 24.4f, 0.16f, 0x78dde6e4u);
+    float nx = t.nx[i], ny = t.ny[i], nz = t.nz[i];
+    const float along = gx * nx + gy * ny + gz * nz;
+    nx -= slope * (gx - along * nx);
+    ny -= slope * (gy - along * ny);
+    nz -= slope * (gz - along * nz);
+    const float n = 1.0f / std::sqrt(nx * nx + ny * ny + nz * nz + 1e-30f);
+    t.nx[i] = nx * n;
+    t.ny[i] = ny * n;
+    t.nz[i] = nz * n;
+
+    const float p = m.patch_1_m[k];
+    const FacetSample broad = facet_noise(t.px[i] * p, t.py[i] * p, t.pz[i] * p, kLattices[2], 0x51ed270bu);
+    const float q = p * 4.3f;
+    const FacetSample fine = facet_noise(t.px[i] * q, t.py[i] * q, t.pz[i] * q, kLattices[1], 0x2545f491u);
+    const float sigma = m.sigma[k];
+    // 2.2 and 1.6 make the sum's standard deviation about one.
+    const float log_albedo = sigma * (2.2f * broad.value + 1.6f * fine.value) - 0.5f * sigma * sigma;
+    const float hollow = 1.0f + 0.35f * slope * height;  // dirt and shade in the hollows
+    const float wet = clamped((broad.value + 0.5f * fine.value) * 4.0f + 0.6f, 0.0f, 1.0f);
+    const float has_wet = m.specular[k] > 0.0f ? wet : 0.0f;
+    t.specular[i] = m.specular[k] * wet;
+    t.albedo[i] = clamped(m.albedo[k] * exp_lane(log_albedo) * hollow * (1.0f - 0.4f * has_wet), 0.005f, 0.95f);
+    // Stains: iron's brown to grey, along the same patches.
+    const float stain = sigma * (0.35f * fine.value - 0.25f * broad.value);
+    t.red[i] = m.red[k] * (1.0f + stain);
+    t.blue[i] = m.blue[k] * (1.0f - 1.3f * stain);
+  }
+}
+
+void surface(Tile& t, const SurfaceTerms& s) {
+  geometry(t, s.corner_normals);
+  reflectance(t, *s.materials);
+  if (s.facets) roughen(t, s);
+  ADIT_LANES
+  for (int i = 0; i < kTileLanes; ++i)
+    t.own[i] = t.own_specular[i] = t.foreign[i] = t.foreign_specular[i] = t.sky[i] = 0.0f;
+}
+
+/// Irradiance (inverse square, Lambert's cosine) and specular luminance of one lamp, not yet shadowed.
+void lamp(Tile& t, const LampTerms& terms) {
+  const LampTerms l = terms;
+  constexpr float kSteps = 512.0f;
+  for (int v = 0; v < kTileHeight; ++v) {
+    const float* place = l.places + v * l.row_stride;
+    const float* axis = l.axes + v * l.row_stride;
+    const float qx = place[0], qy = place[1], qz = place[2], ax = axis[0], ay = axis[1], az = axis[2];
+    ADIT_LANES
+    for (int u = 0; u < kTileWidth; ++u) {
+      const int i = v * kTileWidth + u;
+      const float lx = qx - t.px[i], ly = qy - t.py[i], lz = qz - t.pz[i];
+      const float d2 = lx * lx + ly * ly + lz * lz + l.radius2_m2;
+      const float inverse = 1.0f / std::sqrt(d2 + 1e-12f);
+      const float wx = lx * inverse, wy = ly * inverse, wz = lz * inverse;
+      const float cosine = -(wx * ax + wy * ay + wz * az);
+      const float step = std::sqrt(clamped(0.5f - 0.5f * cosine, 0.0f, 1.0f)) * kSteps;
+      const auto k = static_cast<std::int32_t>(step);
+      const float f = step - static_cast<float>(k);
+      const float lobe = l.lobe[k] + f * (l.lobe[k + 1] - l.lobe[k]);
+      const float incidence = wx * t.nx[i] + wy * t.ny[i] + wz * t.nz[i];
+      const float before = wx * t.gx[i] + wy * t.gy[i] + wz * t.gz[i];
+      const float lit = ((incidence > 0.0f) & (before > 0.0f) & (t.triangle[i] >= 0)) ? 1.0f : 0.0f;
+      const float e =
+          lit * l.intensity_cd * lobe * inverse * inverse * incidence * exp_lane(-l.extinction_1_m * d2 * inverse);
+      // Blinn and Phong's lobe, normalised.
+      const float hx = wx - t.dx[i], hy = wy - t.dy[i], hz = wz - t.dz[i];
+      const float h = 1.0f / std::sqrt(hx * hx + hy * hy + hz * hz + 1e-12f);
+      const float gloss = clamped((hx * t.nx[i] + hy * t.ny[i] + hz * t.nz[i]) * h, 1e-6f, 1.0f);
+      const float s = t.shininess[i];
+      const float peak = t.specular[i] * (s + 8.0f) * (0.125f / kPi) * exp2_lane(s * log2_lane(gloss));
+      t.share[i] = e;
+      t.share_specular[i] = e * peak;
+      t.lx[i] = lx;
+      t.ly[i] = ly;
+      t.lz[i] = lz;
+    }
+  }
+}
+
+void virtual_lights(Tile& t, const VirtualLight* lights, int count, float clamp_m2, float extinction_1_m) {
+  for (int j = 0; j < count; ++j) {
+    const VirtualLight l = lights[j];
+    float* into = l.colour == 0 ? t.own : (l.colour == 1 ? t.foreign : t.sky);
+    ADIT_LANES
+    for (int i = 0; i < kTileLanes; ++i) {
+      const float x = l.place[0] - t.px[i], y = l.place[1] - t.py[i], z = l.place[2] - t.pz[i];
+      const float d2 = x * x + y * y + z * z;
+      const float here = x * t.nx[i] + y * t.ny[i] + z * t.nz[i];
+      const float there = -(x * l.normal[0] + y * l.normal[1] + z * l.normal[2]);
+      const float soft = d2 + clamp_m2;
+      // A wide cosine (half-way to the sphere) at the receiver, since a lamp's light lands all around.
+      const float e = l.power * (here > 0.0f ? here : 0.0f) * (there > 0.0f ? there : 0.0f) / (soft * soft);
+      // Attenuation to second order of exp(-x) = 1 / (1 + x + x^2 / 2 + ...): soft light need not be exact.
+      const float x1 = extinction_1_m * std::sqrt(d2);
+      into[i] += e / (1.0f + x1 + 0.5f * x1 * x1);
+    }
+  }
+}
+
+/// Backscatter by bilinear look-up over the image and linear over r / (r + scale).
+ADIT_LANE float backscatter_at(const float* table, float range, float x, float y) {
+  constexpr int kStrideX = BackscatterTable::kBins + 1;
+  constexpr int kStrideY = BackscatterTable::kNodesX * kStrideX;
+  const float bin = range / (range + BackscatterTable::kRangeScale_m) * (BackscatterTable::kBins - 0.001f);
+  const auto k = static_cast<std::int32_t>(bin);
+  const auto ix = static_cast<std::int32_t>(x), iy = static_cast<std::int32_t>(y);
+  const float fk = bin - static_cast<float>(k), fx = x - static_cast<float>(ix), fy = y - static_cast<float>(iy);
+  const std::int32_t at = iy * kStrideY + ix * kStrideX + k;
+  const float a = table[at] + fk * (table[at + 1] - table[at]);
+  const float b = table[at + kStrideX] + fk * (table[at + kStrideX + 1] - table[at + kStrideX]);
+  const float c = table[at + kStrideY] + fk * (table[at + kStrideY + 1] - table[at + kStrideY]);
+  const std::int32_t to = at + kStrideY + kStrideX;
+  const float d = table[to] + fk * (table[to + 1] - table[to]);
+  const float top = a + fx * (b - a), bottom = c + fx * (d - c);
+  return top + fy * (bottom - top);
+}
+
+void compose(Tile& t, const ComposeTerms& terms, float* const planes[3], float* range, int stride) {
+  const ComposeTerms c = terms;
+  for (int v = 0; v < kTileHeight; ++v) {
+    float* const red = planes[0] + v * stride;
+    float* const green = planes[1] + v * stride;
+    float* const blue = planes[2] + v * stride;
+    float* const out = range + v * stride;
+    ADIT_LANES
+    for (int u = 0; u < kTileWidth; ++u) {
+      const int i = v * kTileWidth + u;
+      const float diffuse = t.albedo[i] * (1.0f / kPi);
+      const float own = t.own[i], foreign = t.foreign[i], sky = t.sky[i];
+      const float r = diffuse * t.red[i] * (own * c.own_red + foreign * c.foreign_red + sky * c.sky_red) +
+                      t.own_specular[i] * c.own_red + t.foreign_specular[i] * c.foreign_red + t.emission[i];
+      const float g = diffuse * (own + foreign + sky) + t.own_specular[i] + t.foreign_specular[i] + t.emission[i];
+      const float b = diffuse * t.blue[i] * (own * c.own_blue + foreign * c.foreign_blue + sky * c.sky_blue) +
+                      t.own_specular[i] * c.own_blue + t.foreign_specular[i] * c.foreign_blue + t.emission[i];
+      const float hit = t.triangle[i] >= 0 ? 1.0f : 0.0f;
+      const float through = hit * exp_lane(-c.extinction_1_m * t.range[i]);
+      const float sky_seen = (1.0f - hit) * c.sky_luminance;
+      red[u] = r * through + sky_seen * c.sky_red;
+      green[u] = g * through + sky_seen;
+      blue[u] = b * through + sky_seen * c.sky_blue;
+      out[u] = t.range[i];
+    }
+  }
+  if (c.backscatter == nullptr) return;
+  const float* table = &c.backscatter->luminance[0][0][0];
+  for (int v = 0; v < kTileHeight; ++v) {
+    const float y = static_cast<float>(c.v0 + v) * c.node_v;
+    ADIT_LANES
+    for (int u = 0; u < kTileWidth; ++u) {
+      const float x = static_cast<float>(c.u0 + u) * c.node_u;
+      const float haze = backscatter_at(table, t.range[v * kTileWidth + u], x, y);
+      planes[0][v * stride + u] += haze * c.own_red;
+      planes[1][v * stride + u] += haze;
+      planes[2][v * stride + u] += haze * c.own_blue;
+    }
+  }
+}
+
+#include "sensor_rows.inl"
+
+}  // namespace
+
+extern const ShadeKernels ADIT_JOIN(kShade_, ADIT_SHADE_TARGET);
+const ShadeKernels ADIT_JOIN(kShade_, ADIT_SHADE_TARGET) = {
+    ADIT_TEXT(ADIT_SHADE_TARGET), aim, surface, lamp, virtual_lights, compose, mosaic_row, tone_row};
+
+}  // namespace adit::sim

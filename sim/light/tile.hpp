@@ -1,0 +1,105 @@
+// A block of pixels on its way through the shading loops, as structure of arrays.
+#pragma once
+
+#include <cstdint>
+
+namespace adit::sim {
+
+inline constexpr int kTileWidth = 32;
+inline constexpr int kTileHeight = 8;
+inline constexpr int kTileLanes = kTileWidth * kTileHeight;
+inline constexpr int kMaterialsMax = 256;
+inline constexpr int kLampsMax = 16;
+
+/// Where camera and lamps are while a row of pixels is exposed (rolling shutter).
+struct RowPose {
+  float rotation[9];  ///< optical frame to world, row major
+  float place[3];     ///< of the lens
+  float lamp_place[kLampsMax][3];
+  float lamp_axis[kLampsMax][3];
+};
+
+struct alignas(64) Tile {
+  using Lane = float[kTileLanes];
+  // View: unit direction in the world, origin of the ray.
+  Lane dx, dy, dz, ox, oy, oz;
+  // What was hit. triangle < 0: nothing.
+  Lane range, gx, gy, gz, bu, bv;
+  std::int32_t triangle[kTileLanes];
+  std::int32_t material[kTileLanes];
+  // Surface: place, normal with facets, geometric normal turned to the eye (gx, gy, gz), reflectance.
+  Lane px, py, pz, nx, ny, nz;
+  Lane albedo, red, blue, specular, shininess, emission;
+  // Light gathered so far: irradiance (lux) and specular luminance (cd/m^2), by colour of source.
+  Lane own, own_specular, foreign, foreign_specular, sky;
+  // One lamp's share, before its shadows are known; way to that lamp.
+  Lane share, share_specular, lx, ly, lz;
+};
+
+/// Reflectance of the world's materials, an array a field so that lanes can gather.
+struct MaterialTable {
+  float albedo[kMaterialsMax], sigma[kMaterialsMax], patch_1_m[kMaterialsMax];
+  float specular[kMaterialsMax], shininess[kMaterialsMax], emission[kMaterialsMax];
+  float facet_slope[kMaterialsMax], facet_1_m[kMaterialsMax];
+  float red[kMaterialsMax], blue[kMaterialsMax];
+};
+
+/// What the surface loop needs besides the tile.
+struct SurfaceTerms {
+  const MaterialTable* materials;
+  const float* corner_normals;  ///< nine floats a triangle
+  float pixel_angle;            ///< rad
+  bool facets;
+};
+
+/// One lamp as the lamp loop sees it. Place and axis are given per row of the tile.
+struct LampTerms {
+  const float* places;  ///< 3 floats a row, row_stride apart
+  const float* axes;
+  int row_stride;
+  const float* lobe;  ///< LampLobe::table()
+  float intensity_cd;
+  float radius2_m2;  ///< added to the squared distance: a lamp is no point
+  float extinction_1_m;
+};
+
+/// Light reflected once, as a point that shines with the cosine of its normal.
+struct VirtualLight {
+  float place[3];
+  float normal[3];
+  float power;  ///< E = power * cos * cos / d^2: flux * albedo / pi
+  int colour;   ///< 0 own, 1 foreign, 2 sky
+};
+
+/// Backscatter of the own lamps by (node of a grid over the image, range).
+struct BackscatterTable {
+  static constexpr int kNodesX = 33, kNodesY = 25, kBins = 48;
+  static constexpr float kRangeScale_m = 1.5f;  ///< bins are even in r / (r + scale)
+  float luminance[kNodesY][kNodesX][kBins + 1];
+};
+
+struct ComposeTerms {
+  float own_red, own_blue, foreign_red, foreign_blue, sky_red, sky_blue;
+  float extinction_1_m;
+  float sky_luminance;
+  const BackscatterTable* backscatter;  ///< may be null
+  float node_u, node_v;                 ///< nodes a pixel
+  int u0, v0;
+};
+
+/// The loops, compiled once per kind of CPU. Every kind gives the same bits.
+struct ShadeKernels {
+  const char* target;
+  void (*aim)(Tile&, const RowPose* rows, const float* const directions[3], int stride);
+  void (*surface)(Tile&, const SurfaceTerms&);
+  void (*lamp)(Tile&, const LampTerms&);
+  void (*virtual_lights)(Tile&, const VirtualLight*, int count, float clamp_m2, float extinction_1_m);
+  void (*compose)(Tile&, const ComposeTerms&, float* const planes[3], float* range, int stride);
+  /// Sensor: one row of the mosaic. See sensor_rows.hpp.
+  void (*mosaic_row)(const struct MosaicRow&);
+  void (*tone_row)(const struct ToneRow&);
+};
+
+[[nodiscard]] const ShadeKernels& shade_kernels() noexcept;
+
+}  // namespace adit::sim

@@ -148,7 +148,7 @@ Renderer::Renderer(const World& world, const RigConfig& rig, const RenderConfig&
   p.scene = scene ? std::move(scene) : std::make_shared<const RayScene>(world.mesh);
   p.camera = std::make_unique<Camera>(camera_model(rig.lens));
   if (render.threads != 1)
-    p.arena = std::make_unique<tbb::task_arena>(render.threads > 0 ? render.threads : tbb::task_arena::automatic);
+    p.arena = std::make_unique<tbb::task_arena>(render.threads > 0 ? render.threads : +tbb::task_arena::automatic);
   p.width = rig.lens.width;
   p.height = rig.lens.height;
   p.stride = (p.width + kTileWidth - 1) / kTileWidth * kTileWidth;

@@ -28,17 +28,17 @@ namespace embree {
 #if RTC_VERSION_MAJOR >= 4
 inline void intersect1(RTCScene scene, RTCRayHit* ray) { rtcIntersect1(scene, ray, nullptr); }
 inline void occluded1(RTCScene scene, RTCRay* ray) { rtcOccluded1(scene, ray, nullptr); }
-inline void intersect8(const int* valid, RTCScene scene, RTCRayHit8* rays) {
+inline void intersect16(const int* valid, RTCScene scene, RTCRayHit16* rays) {
   RTCIntersectArguments with;
   rtcInitIntersectArguments(&with);
   with.flags = RTC_RAY_QUERY_FLAG_COHERENT;
-  rtcIntersect8(valid, scene, rays, &with);
+  rtcIntersect16(valid, scene, rays, &with);
 }
-inline void occluded8(const int* valid, RTCScene scene, RTCRay8* rays) {
+inline void occluded16(const int* valid, RTCScene scene, RTCRay16* rays) {
   RTCOccludedArguments with;
   rtcInitOccludedArguments(&with);
   with.flags = RTC_RAY_QUERY_FLAG_COHERENT;
-  rtcOccluded8(valid, scene, rays, &with);
+  rtcOccluded16(valid, scene, rays, &with);
 }
 #else
 inline RTCIntersectContext coherent_context() {
@@ -57,13 +57,13 @@ inline void occluded1(RTCScene scene, RTCRay* ray) {
   rtcInitIntersectContext(&context);
   rtcOccluded1(scene, &context, ray);
 }
-inline void intersect8(const int* valid, RTCScene scene, RTCRayHit8* rays) {
+inline void intersect16(const int* valid, RTCScene scene, RTCRayHit16* rays) {
   RTCIntersectContext context = coherent_context();
-  rtcIntersect8(valid, scene, &context, rays);
+  rtcIntersect16(valid, scene, &context, rays);
 }
-inline void occluded8(const int* valid, RTCScene scene, RTCRay8* rays) {
+inline void occluded16(const int* valid, RTCScene scene, RTCRay16* rays) {
   RTCIntersectContext context = coherent_context();
-  rtcOccluded8(valid, scene, &context, rays);
+  rtcOccluded16(valid, scene, &context, rays);
 }
 #endif
 

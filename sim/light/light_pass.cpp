@@ -36,68 +36,129 @@ void fill_row_poses(Renderer::Parts& parts, const CameraMotion& motion, float re
   }
 }
 
-/// Closest hits of all lanes. @return whether anything was hit.
+/// Closest hits of all lanes, in packets of 8 x 2 pixels. @return whether anything was hit.
 bool trace(Tile& t, const Renderer::Parts& parts) {
-  Rays8 rays;
-  Hits8 hits;
+  constexpr int kWide = 8;
+  RayPacket rays;
+  HitPacket hits;
   bool any = false;
-  for (int i = 0; i < kTileLanes; i += 8) {
-    const float* const from[3] = {t.ox + i, t.oy + i, t.oz + i};
-    const float* const along[3] = {t.dx + i, t.dy + i, t.dz + i};
-    for (int k = 0; k < 3; ++k) {
-      std::memcpy(rays.origin[k], from[k], sizeof rays.origin[k]);
-      std::memcpy(rays.direction[k], along[k], sizeof rays.direction[k]);
-    }
-    for (int j = 0; j < 8; ++j) {
-      rays.tnear[j] = 0.02f;
-      rays.tfar[j] = kRangeOfNothing_m;
-    }
-    parts.scene->intersect8(rays, hits);
-    for (int j = 0; j < 8; ++j) {
-      const bool hit = hits.triangle[j] != kNoTriangle;
-      any |= hit;
-      t.range[i + j] = hit ? hits.t[j] : kRangeOfNothing_m;
-      t.gx[i + j] = hit ? hits.normal[0][j] : 0.0f;
-      t.gy[i + j] = hit ? hits.normal[1][j] : 0.0f;
-      t.gz[i + j] = hit ? hits.normal[2][j] : 1.0f;
-      t.bu[i + j] = hit ? hits.u[j] : 0.0f;
-      t.bv[i + j] = hit ? hits.v[j] : 0.0f;
-      t.triangle[i + j] = hit ? static_cast<std::int32_t>(hits.triangle[j]) : -1;
-      t.material[i + j] = hit ? parts.world->mesh.materials[hits.triangle[j]] : 0;
-    }
+  for (int j = 0; j < kPacket; ++j) {
+    rays.tnear[j] = 0.02f;
+    rays.tfar[j] = kRangeOfNothing_m;
   }
+  for (int v = 0; v < kTileHeight; v += 2)
+    for (int u = 0; u < kTileWidth; u += kWide) {
+      const auto lane = [&](int j) { return (v + j / kWide) * kTileWidth + u + j % kWide; };
+      for (int j = 0; j < kPacket; ++j) {
+        const int i = lane(j);
+        rays.origin[0][j] = t.ox[i];
+        rays.origin[1][j] = t.oy[i];
+        rays.origin[2][j] = t.oz[i];
+        rays.direction[0][j] = t.dx[i];
+        rays.direction[1][j] = t.dy[i];
+        rays.direction[2][j] = t.dz[i];
+      }
+      parts.scene->intersect(rays, hits);
+      for (int j = 0; j < kPacket; ++j) {
+        const int i = lane(j);
+        const bool hit = hits.triangle[j] != kNoTriangle;
+        any |= hit;
+        t.range[i] = hit ? hits.t[j] : kRangeOfNothing_m;
+        t.gx[i] = hit ? hits.normal[0][j] : 0.0f;
+        t.gy[i] = hit ? hits.normal[1][j] : 0.0f;
+        t.gz[i] = hit ? hits.normal[2][j] : 1.0f;
+        t.bu[i] = hit ? hits.u[j] : 0.0f;
+        t.bv[i] = hit ? hits.v[j] : 0.0f;
+        t.triangle[i] = hit ? static_cast<std::int32_t>(hits.triangle[j]) : -1;
+        t.material[i] = hit ? parts.world->mesh.materials[hits.triangle[j]] : 0;
+      }
+    }
   return any;
 }
 
-/// Takes the shares of the last lamp over where nothing stands between; shares below least_lux are dropped.
+constexpr int kShadeBlock = 4;  ///< px; shadows are probed at the corners of such blocks first
+
+/// Puts the ray from the surface at lane i to the lamp into lane j of a packet.
+void aim_at_lamp(const Tile& t, int i, RayPacket& rays, int j) {
+  // Off the surface, so that it does not shade itself.
+  const float off = 2e-3f + 2e-4f * t.range[i];
+  rays.origin[0][j] = t.px[i] + off * t.gx[i];
+  rays.origin[1][j] = t.py[i] + off * t.gy[i];
+  rays.origin[2][j] = t.pz[i] + off * t.gz[i];
+  rays.direction[0][j] = t.lx[i] - off * t.gx[i];
+  rays.direction[1][j] = t.ly[i] - off * t.gy[i];
+  rays.direction[2][j] = t.lz[i] - off * t.gz[i];
+  rays.tnear[j] = 0.0f;
+  rays.tfar[j] = t.triangle[i] >= 0 ? 0.999f : -1.0f;
+}
+
+/// First lane of block b of a tile.
+constexpr int lane_of_block(int b) {
+  constexpr int kAcross = kTileWidth / kShadeBlock;
+  return (b / kAcross) * kShadeBlock * kTileWidth + (b % kAcross) * kShadeBlock;
+}
+constexpr int kShadeBlocks = kTileLanes / (kShadeBlock * kShadeBlock);
+
+/// Whether the surface goes on through a block and faces its lamp at all corners, so that corners speak for the rest.
+bool is_even(const Tile& t, int first) {
+  float low = 1e30f, high = 0.0f;
+  for (int v = 0; v < kShadeBlock; ++v)
+    for (int u = 0; u < kShadeBlock; ++u) {
+      const float r = t.range[first + v * kTileWidth + u];
+      low = r < low ? r : low;
+      high = r > high ? r : high;
+    }
+  return high < 1.12f * low;
+}
+
+/// Takes over the shares of the lanes in `lit` of a block (bit v * kShadeBlock + u).
+void take(const Tile& t, int first, std::uint32_t lit, float* into, float* specular_into) {
+  for (int k = 0; k < kPacket; ++k) {
+    const int i = first + (k / kShadeBlock) * kTileWidth + k % kShadeBlock;
+    const float through = (lit >> k & 1u) ? 1.0f : 0.0f;
+    into[i] += through * t.share[i];
+    specular_into[i] += through * t.share_specular[i];
+  }
+}
+
+/// Takes the shares of the last lamp over where nothing stands between; blocks whose shares all lie below least_lux
+/// are dropped. Four corners of a block are probed first: where they agree and the surface is even, they stand for all.
 void add_unshadowed(Tile& t, const Renderer::Parts& parts, float least_lux, float* into, float* specular_into) {
-  Rays8 rays;
-  for (int i = 0; i < kTileLanes; i += 8) {
-    std::uint32_t wanted = 0;
-    for (int j = 0; j < 8; ++j)
-      wanted |= static_cast<std::uint32_t>((t.share[i + j] > least_lux) | (t.share_specular[i + j] > least_lux)) << j;
-    if (wanted == 0) continue;
+  static_assert(kShadeBlock * kShadeBlock == kPacket);
+  constexpr int kCorner[4] = {0, kShadeBlock - 1, (kShadeBlock - 1) * kTileWidth,
+                              (kShadeBlock - 1) * kTileWidth + kShadeBlock - 1};
+  int wanted[kShadeBlocks], count = 0;
+  for (int b = 0; b < kShadeBlocks; ++b) {
+    float most = 0.0f;
+    for (int k = 0; k < kPacket; ++k) {
+      const int i = lane_of_block(b) + (k / kShadeBlock) * kTileWidth + k % kShadeBlock;
+      const float share = t.share[i] + t.share_specular[i];
+      most = share > most ? share : most;
+    }
+    if (most > least_lux) wanted[count++] = b;
+  }
+  RayPacket rays;
+  for (int first = 0; first < count; first += 4) {
+    const int blocks = std::min(4, count - first);
     std::uint32_t dark = 0;
     if (parts.render.shadows) {
-      for (int j = 0; j < 8; ++j) {
-        // Off the surface, so that it does not shade itself.
-        const float off = 2e-3f + 2e-4f * t.range[i + j];
-        rays.origin[0][j] = t.px[i + j] + off * t.gx[i + j];
-        rays.origin[1][j] = t.py[i + j] + off * t.gy[i + j];
-        rays.origin[2][j] = t.pz[i + j] + off * t.gz[i + j];
-        rays.direction[0][j] = t.lx[i + j] - off * t.gx[i + j];
-        rays.direction[1][j] = t.ly[i + j] - off * t.gy[i + j];
-        rays.direction[2][j] = t.lz[i + j] - off * t.gz[i + j];
-        rays.tnear[j] = 0.0f;
-        rays.tfar[j] = (wanted >> j & 1u) ? 0.999f : -1.0f;
-      }
-      dark = parts.scene->occluded8(rays);
+      for (int j = 0; j < kPacket; ++j)
+        if (j / 4 < blocks)
+          aim_at_lamp(t, lane_of_block(wanted[first + j / 4]) + kCorner[j % 4], rays, j);
+        else
+          rays.tnear[j] = 0.0f, rays.tfar[j] = -1.0f;
+      dark = parts.scene->occluded(rays);
     }
-    const std::uint32_t lit = wanted & ~dark;
-    for (int j = 0; j < 8; ++j) {
-      const float through = (lit >> j & 1u) ? 1.0f : 0.0f;
-      into[i + j] += through * t.share[i + j];
-      specular_into[i + j] += through * t.share_specular[i + j];
+    for (int b = 0; b < blocks; ++b) {
+      const int lane = lane_of_block(wanted[first + b]);
+      const std::uint32_t corners = dark >> (4 * b) & 0xfu;
+      if (!parts.render.shadows || ((corners == 0 || corners == 0xfu) && is_even(t, lane))) {
+        take(t, lane, corners == 0 ? 0xffffu : 0u, into, specular_into);
+        continue;
+      }
+      for (int k = 0; k < kPacket; ++k)
+        aim_at_lamp(t, lane + (k / kShadeBlock) * kTileWidth + k % kShadeBlock, rays, k);
+      take(t, lane, ~parts.scene->occluded(rays) & 0xffffu, into, specular_into);
     }
   }
 }
@@ -163,9 +224,9 @@ void add_zenith(Tile& t, const Renderer::Parts& parts) {
                      [&](const Vector3f& m) { return bounds.distance2_to(m.data()) < kReach_m * kReach_m; }))
       return;
   }
-  Rays8 rays;
-  for (int i = 0; i < kTileLanes; i += 8) {
-    for (int j = 0; j < 8; ++j) {
+  RayPacket rays;
+  for (int i = 0; i < kTileLanes; i += kPacket) {
+    for (int j = 0; j < kPacket; ++j) {
       rays.origin[0][j] = t.px[i + j] + 0.01f * t.gx[i + j];
       rays.origin[1][j] = t.py[i + j] + 0.01f * t.gy[i + j];
       rays.origin[2][j] = t.pz[i + j] + 0.01f * t.gz[i + j];
@@ -174,8 +235,8 @@ void add_zenith(Tile& t, const Renderer::Parts& parts) {
       rays.tnear[j] = 0.0f;
       rays.tfar[j] = t.triangle[i + j] >= 0 && t.gz[i + j] > -0.2f ? 1e4f : -1.0f;
     }
-    const std::uint32_t dark = parts.scene->occluded8(rays);
-    for (int j = 0; j < 8; ++j)
+    const std::uint32_t dark = parts.scene->occluded(rays);
+    for (int j = 0; j < kPacket; ++j)
       if (rays.tfar[j] > 0.0f && !(dark >> j & 1u)) t.sky[i + j] += lux * (0.5f + 0.5f * t.nz[i + j]);
   }
 }

@@ -27,6 +27,22 @@ void check(const Mesh& mesh) {
                                   ": repair the mesh");
 }
 
+/// The same for RTCRay16 alone and within RTCRayHit16.
+void load(RTCRay16& to, const RayPacket& rays) {
+  std::memcpy(to.org_x, rays.origin[0], sizeof rays.origin[0]);
+  std::memcpy(to.org_y, rays.origin[1], sizeof rays.origin[1]);
+  std::memcpy(to.org_z, rays.origin[2], sizeof rays.origin[2]);
+  std::memcpy(to.dir_x, rays.direction[0], sizeof rays.direction[0]);
+  std::memcpy(to.dir_y, rays.direction[1], sizeof rays.direction[1]);
+  std::memcpy(to.dir_z, rays.direction[2], sizeof rays.direction[2]);
+  std::memcpy(to.tnear, rays.tnear, sizeof rays.tnear);
+  std::memcpy(to.tfar, rays.tfar, sizeof rays.tfar);
+  std::memset(to.time, 0, sizeof to.time);
+  std::memset(to.mask, 0xff, sizeof to.mask);
+  std::memset(to.id, 0, sizeof to.id);
+  std::memset(to.flags, 0, sizeof to.flags);
+}
+
 [[noreturn]] void fail(RTCDevice device, const char* doing) {
   throw std::runtime_error(std::string("Embree could not ") + doing + " (error " +
                            std::to_string(static_cast<int>(rtcGetDeviceError(device))) +
@@ -99,11 +115,11 @@ bool RayScene::occluded(const Eigen::Vector3f& from, const Eigen::Vector3f& to) 
 std::vector<float> RayScene::horizontal_ranges_m(const Eigen::Vector3f& origin, float yaw_rad,
                                                  std::span<const float> angles_rad, float range_max_m) const {
   std::vector<float> ranges(angles_rad.size(), range_max_m);
-  Rays8 rays{};
-  Hits8 hits{};
-  for (std::size_t first = 0; first < angles_rad.size(); first += 8) {
-    const std::size_t count = std::min<std::size_t>(8, angles_rad.size() - first);
-    for (std::size_t i = 0; i < 8; ++i) {
+  RayPacket rays{};
+  HitPacket hits{};
+  for (std::size_t first = 0; first < angles_rad.size(); first += kPacket) {
+    const std::size_t count = std::min<std::size_t>(kPacket, angles_rad.size() - first);
+    for (std::size_t i = 0; i < kPacket; ++i) {
       const float angle = yaw_rad + (i < count ? angles_rad[first + i] : 0.0f);
       for (int k = 0; k < 3; ++k) rays.origin[k][i] = origin[k];
       rays.direction[0][i] = std::cos(angle);
@@ -112,35 +128,24 @@ std::vector<float> RayScene::horizontal_ranges_m(const Eigen::Vector3f& origin, 
       rays.tnear[i] = 0.0f;
       rays.tfar[i] = i < count ? range_max_m : -1.0f;
     }
-    intersect8(rays, hits);
+    intersect(rays, hits);
     for (std::size_t i = 0; i < count; ++i)
       if (hits.triangle[i] != kNoTriangle) ranges[first + i] = hits.t[i];
   }
   return ranges;
 }
 
-void RayScene::intersect8(const Rays8& rays, Hits8& hits) const {
-  RTCRayHit8 packet;
-  alignas(32) int valid[8];
-  std::memcpy(packet.ray.org_x, rays.origin[0], sizeof rays.origin[0]);
-  std::memcpy(packet.ray.org_y, rays.origin[1], sizeof rays.origin[1]);
-  std::memcpy(packet.ray.org_z, rays.origin[2], sizeof rays.origin[2]);
-  std::memcpy(packet.ray.dir_x, rays.direction[0], sizeof rays.direction[0]);
-  std::memcpy(packet.ray.dir_y, rays.direction[1], sizeof rays.direction[1]);
-  std::memcpy(packet.ray.dir_z, rays.direction[2], sizeof rays.direction[2]);
-  std::memcpy(packet.ray.tnear, rays.tnear, sizeof rays.tnear);
-  std::memcpy(packet.ray.tfar, rays.tfar, sizeof rays.tfar);
-  for (int i = 0; i < 8; ++i) {
+void RayScene::intersect(const RayPacket& rays, HitPacket& hits) const {
+  RTCRayHit16 packet;
+  alignas(64) int valid[kPacket];
+  load(packet.ray, rays);
+  for (int i = 0; i < kPacket; ++i) {
     valid[i] = rays.tfar[i] >= rays.tnear[i] ? -1 : 0;
-    packet.ray.time[i] = 0.0f;
-    packet.ray.mask[i] = 0xffffffffu;
-    packet.ray.id[i] = 0;
-    packet.ray.flags[i] = 0;
     packet.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
     packet.hit.primID[i] = kNoTriangle;
     packet.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
   }
-  embree::intersect8(valid, tree_->scene, &packet);
+  embree::intersect16(valid, tree_->scene, &packet);
   std::memcpy(hits.t, packet.ray.tfar, sizeof hits.t);
   std::memcpy(hits.normal[0], packet.hit.Ng_x, sizeof hits.normal[0]);
   std::memcpy(hits.normal[1], packet.hit.Ng_y, sizeof hits.normal[1]);
@@ -150,27 +155,16 @@ void RayScene::intersect8(const Rays8& rays, Hits8& hits) const {
   std::memcpy(hits.triangle, packet.hit.primID, sizeof hits.triangle);
 }
 
-std::uint32_t RayScene::occluded8(const Rays8& rays) const {
-  RTCRay8 packet;
-  alignas(32) int valid[8];
-  std::memcpy(packet.org_x, rays.origin[0], sizeof rays.origin[0]);
-  std::memcpy(packet.org_y, rays.origin[1], sizeof rays.origin[1]);
-  std::memcpy(packet.org_z, rays.origin[2], sizeof rays.origin[2]);
-  std::memcpy(packet.dir_x, rays.direction[0], sizeof rays.direction[0]);
-  std::memcpy(packet.dir_y, rays.direction[1], sizeof rays.direction[1]);
-  std::memcpy(packet.dir_z, rays.direction[2], sizeof rays.direction[2]);
-  std::memcpy(packet.tnear, rays.tnear, sizeof rays.tnear);
-  std::memcpy(packet.tfar, rays.tfar, sizeof rays.tfar);
-  for (int i = 0; i < 8; ++i) {
+std::uint32_t RayScene::occluded(const RayPacket& rays) const {
+  RTCRay16 packet;
+  alignas(64) int valid[kPacket];
+  load(packet, rays);
+  for (int i = 0; i < kPacket; ++i) {
     valid[i] = rays.tfar[i] >= rays.tnear[i] ? -1 : 0;
-    packet.time[i] = 0.0f;
-    packet.mask[i] = 0xffffffffu;
-    packet.id[i] = 0;
-    packet.flags[i] = 0;
   }
-  embree::occluded8(valid, tree_->scene, &packet);
+  embree::occluded16(valid, tree_->scene, &packet);
   std::uint32_t bits = 0;
-  for (int i = 0; i < 8; ++i)
+  for (int i = 0; i < kPacket; ++i)
     if (valid[i] != 0 && packet.tfar[i] < 0.0f) bits |= 1u << i;
   return bits;
 }

@@ -42,12 +42,12 @@ TEST(RayScene, RangesInABoxAreThoseOfGeometry) {
 
 TEST(RayScene, PacketsAgreeWithSingleRays) {
   const RayScene scene(box_world(kLow, kHigh).mesh);
-  Rays8 rays{};
-  Hits8 hits{};
+  RayPacket rays{};
+  HitPacket hits{};
   std::mt19937 random(2);
   std::normal_distribution<float> normal;
   const Vector3f origin(9, -1, 2);
-  for (int i = 0; i < 8; ++i) {
+  for (int i = 0; i < kPacket; ++i) {
     const Vector3f d = Vector3f(normal(random), normal(random), normal(random)).normalized();
     for (int k = 0; k < 3; ++k) {
       rays.origin[k][i] = origin[k];
@@ -56,15 +56,15 @@ TEST(RayScene, PacketsAgreeWithSingleRays) {
     rays.tnear[i] = 0.0f;
     rays.tfar[i] = i == 5 ? -1.0f : 1e9f;
   }
-  scene.intersect8(rays, hits);
-  for (int i = 0; i < 8; ++i) {
+  scene.intersect(rays, hits);
+  for (int i = 0; i < kPacket; ++i) {
     const Vector3f d(rays.direction[0][i], rays.direction[1][i], rays.direction[2][i]);
     if (i == 5)
       EXPECT_EQ(hits.triangle[i], kNoTriangle);
     else
       EXPECT_NEAR(hits.t[i], range_in_box(origin, d), 1e-4f);
   }
-  EXPECT_EQ(scene.occluded8(rays), 0xffu & ~(1u << 5));
+  EXPECT_EQ(scene.occluded(rays), 0xffffu & ~(1u << 5));
 }
 
 TEST(RayScene, OcclusionIsSeen) {

@@ -34,20 +34,23 @@ struct Contact {
   Eigen::Vector3f place;   ///< on the mesh
 };
 
-/// Eight rays in structure-of-arrays order, for loops that shade many points at once. Lanes with tfar < tnear are idle.
-struct alignas(32) Rays8 {
-  float origin[3][8];
-  float direction[3][8];  ///< of any length but 0; tnear and tfar are multiples of it
-  float tnear[8];
-  float tfar[8];
+inline constexpr int kPacket = 16;
+
+/// Sixteen rays in structure-of-arrays order, for loops that shade many points at once; neighbours should go about the
+/// same way. Lanes with tfar < tnear are idle.
+struct alignas(64) RayPacket {
+  float origin[3][kPacket];
+  float direction[3][kPacket];  ///< of any length but 0; tnear and tfar are multiples of it
+  float tnear[kPacket];
+  float tfar[kPacket];
 };
 
-/// What Rays8 met. Lanes without a hit keep triangle == kNoTriangle and tfar.
-struct alignas(32) Hits8 {
-  float t[8];
-  float normal[3][8];  ///< not normalised, not turned
-  float u[8], v[8];    ///< barycentric
-  std::uint32_t triangle[8];
+/// What a RayPacket met. Lanes without a hit keep triangle == kNoTriangle and tfar.
+struct alignas(64) HitPacket {
+  float t[kPacket];
+  float normal[3][kPacket];      ///< not normalised, not turned
+  float u[kPacket], v[kPacket];  ///< barycentric
+  std::uint32_t triangle[kPacket];
 };
 
 inline constexpr std::uint32_t kNoTriangle = 0xffffffffu;
@@ -84,9 +87,9 @@ class RayScene {
                                                      float radius_m) const;
   static constexpr float kContactTolerance_m = 1e-4f;
 
-  void intersect8(const Rays8& rays, Hits8& hits) const;
+  void intersect(const RayPacket& rays, HitPacket& hits) const;
   /// Bit i is set when lane i meets anything between tnear and tfar.
-  [[nodiscard]] std::uint32_t occluded8(const Rays8& rays) const;
+  [[nodiscard]] std::uint32_t occluded(const RayPacket& rays) const;
 
   [[nodiscard]] std::size_t triangle_count() const noexcept;
 

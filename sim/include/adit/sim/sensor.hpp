@@ -40,7 +40,7 @@ struct SensorConfig {
   int adc_bits = 10;
   float exposure_min_s = 0.0001f;
   float exposure_max_s = 0.025f;
-  float gain_max = 8.0f;                ///< at gain 1 the full well is white
+  float gain_max = 16.0f;               ///< at gain 1 the full well is white
   float exposure_target_level = 80.0f;  ///< mean of the frame that auto exposure goes for
   float exposure_speed = 0.35f;         ///< share of the way gone from frame to frame; 0: exposure stays
   float gamma = 2.2f;

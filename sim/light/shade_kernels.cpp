@@ -42,9 +42,10 @@ void aim(Tile& t, const RowPose* rows, const float* const directions[3], int str
 void geometry(Tile& t, const float* normals) {
   ADIT_LANES
   for (int i = 0; i < kTileLanes; ++i) {
-    t.px[i] = t.ox[i] + t.dx[i] * t.range[i];
-    t.py[i] = t.oy[i] + t.dy[i] * t.range[i];
-    t.pz[i] = t.oz[i] + t.dz[i] * t.range[i];
+    const float range = clamped(t.range[i], 0.0f, 1e5f);  // where nothing is hit, places still fit integers
+    t.px[i] = t.ox[i] + t.dx[i] * range;
+    t.py[i] = t.oy[i] + t.dy[i] * range;
+    t.pz[i] = t.oz[i] + t.dz[i] * range;
     float gx = t.gx[i], gy = t.gy[i], gz = t.gz[i];
     const float side = gx * t.dx[i] + gy * t.dy[i] + gz * t.dz[i] > 0.0f ? -1.0f : 1.0f;
     const float g = side / std::sqrt(gx * gx + gy * gy + gz * gz + 1e-30f);
@@ -87,7 +88,9 @@ void roughen(Tile& t, const SurfaceTerms& terms) {
     const std::int32_t k = t.material[i];
     const float slope = m.facet_slope[k], per_m = m.facet_1_m[k];
     // Facets smaller than some two pixels melt away; their tilt is then the Lambert surface's own roughness.
-    const float footprint = t.range[i] * s.pixel_angle * 2.0f;
+    // A grazing view stretches the pixel on the ground; its two sides' geometric mean decides.
+    const float facing = clamped(-(t.gx[i] * t.dx[i] + t.gy[i] * t.dy[i] + t.gz[i] * t.dz[i]), 0.04f, 1.0f);
+    const float footprint = t.range[i] * s.pixel_angle * 2.0f / std::sqrt(facing);
     float gx = 0.0f, gy = 0.0f, gz = 0.0f, height = 0.0f;
     const float px = t.px[i], py = t.py[i], pz = t.pz[i];
     const auto add = [&](const Lattice& lattice, float scale, float weight, std::uint32_t seed)
@@ -100,9 +103,9 @@ void roughen(Tile& t, const SurfaceTerms& terms) {
       height += seen * f.value;
     };
     add(kLattices[0], per_m, 0.30f, 0x9e3779b9u);
-    add(kLattices[1], per_m * 2.9f, 0.25f, 0x3c6ef372u);
-    add(kLattices[2], per_m * 8.4f, 0.20f, 0xdaa66d2bu);
-    add(kLattices[3], per_m * 24.4f, 0.16f, 0x78dde6e4u);
+    add(kLattices[1], per_m * 2.9f, 0.22f, 0x3c6ef372u);
+    add(kLattices[2], per_m * 8.4f, 0.14f, 0xdaa66d2bu);
+    add(kLattices[3], per_m * 24.4f, 0.09f, 0x78dde6e4u);
     float nx = t.nx[i], ny = t.ny[i], nz = t.nz[i];
     const float along = gx * nx + gy * ny + gz * nz;
     nx -= slope * (gx - along * nx);

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
+#include <vector>
 
 namespace adit::sim {
 
@@ -100,6 +102,11 @@ struct ShadeKernels {
   void (*tone_row)(const struct ToneRow&);
 };
 
+/// Those chosen, else the widest that this CPU has.
 [[nodiscard]] const ShadeKernels& shade_kernels() noexcept;
+/// Names of the targets this CPU runs, narrowest first.
+[[nodiscard]] std::vector<const char*> shade_targets();
+/// For tests: all frames from now on use this target. @return false where there is none of that name.
+bool choose_shade_target(std::string_view name);
 
 }  // namespace adit::sim

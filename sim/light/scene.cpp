@@ -1,5 +1,7 @@
 #include "adit/sim/scene.hpp"
 
+#include <tbb/task_arena.h>
+
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -58,8 +60,8 @@ RayScene::Tree::~Tree() {
 
 RayScene::RayScene(const Mesh& mesh) : tree_(std::make_unique<Tree>()) {
   check(mesh);
-  // One build thread: the tree, and with it the winner where two triangles share the hit, is the same in every run.
-  tree_->device = rtcNewDevice("threads=1");
+  // Not "threads=1": that would keep the whole program to one thread for as long as the device lives.
+  tree_->device = rtcNewDevice(nullptr);
   if (tree_->device == nullptr) fail(nullptr, "start");
   tree_->vertices = mesh.vertices;
   // Embree reads 16 bytes from the last vertex's address.
@@ -75,7 +77,11 @@ RayScene::RayScene(const Mesh& mesh) : tree_(std::make_unique<Tree>()) {
   rtcSetSceneFlags(tree_->scene, RTC_SCENE_FLAG_ROBUST);
   rtcAttachGeometry(tree_->scene, geometry);
   rtcReleaseGeometry(geometry);
-  rtcCommitScene(tree_->scene);
+  // Built by one thread: the tree, and with it the winner where two triangles share the hit, is the same in every run.
+  if (rtcGetDeviceProperty(tree_->device, RTC_DEVICE_PROPERTY_JOIN_COMMIT_SUPPORTED) != 0)
+    tbb::task_arena(1).execute([&] { rtcJoinCommitScene(tree_->scene); });
+  else
+    rtcCommitScene(tree_->scene);
   if (rtcGetDeviceError(tree_->device) != RTC_ERROR_NONE) fail(tree_->device, "build the tree of the mesh");
 }
 

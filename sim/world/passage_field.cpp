@@ -9,6 +9,9 @@ namespace {
 
 /// Fillet between wall and floor, where muck lies.
 constexpr float kFloorFillet_m = 0.3f;
+/// Walls run into each other smoothly from this height on, wholly so at twice of it: two floors at one height must not
+/// dig a pit where they overlap.
+constexpr float kBlendFoot_m = 0.5f;
 /// The passage goes on behind the plane of a mouth by this much, so that the plane cuts it clean.
 constexpr float kMouthOverrun_m = 1.5f;
 /// The rock face over a mouth leans back by this much per metre of height.
@@ -127,6 +130,10 @@ float PassageField::distance_to_open_air(const Mouth& mouth, const Eigen::Vector
   return smooth_max(into_rock - kFaceLean * above_floor, -above_floor, kFloorFillet_m);
 }
 
+float PassageField::blend_over(float above_floor) const noexcept {
+  return blend_m_ * std::clamp((above_floor - kBlendFoot_m) / kBlendFoot_m, 0.0f, 1.0f);
+}
+
 OpenDistance PassageField::at(const Eigen::Vector3f& p, const Candidates& candidates) const noexcept {
   constexpr float kFar = 1e6f;
   OpenDistance result{kFar, 0.0f};
@@ -136,7 +143,7 @@ OpenDistance PassageField::at(const Eigen::Vector3f& p, const Candidates& candid
   for (const std::uint32_t index : candidates) {
     const Stretch& stretch = stretches_[index];
     if (stretch.passage != passage) {
-      result.distance = smooth_min(result.distance, of_passage, blend_m_);
+      result.distance = smooth_min(result.distance, of_passage, blend_over(result.above_floor));
       of_passage = kFar;
       passage = stretch.passage;
     }
@@ -148,7 +155,7 @@ OpenDistance PassageField::at(const Eigen::Vector3f& p, const Candidates& candid
       result.above_floor = above_floor;
     }
   }
-  result.distance = smooth_min(result.distance, of_passage, blend_m_);
+  result.distance = smooth_min(result.distance, of_passage, blend_over(result.above_floor));
   for (const Mouth& mouth : mouths_) {
     if (!mouth.has_apron) continue;
     const float air = distance_to_open_air(mouth, p);
@@ -156,7 +163,7 @@ OpenDistance PassageField::at(const Eigen::Vector3f& p, const Candidates& candid
       nearest = air;
       result.above_floor = p.z() - mouth.place.z();
     }
-    result.distance = smooth_min(result.distance, air, blend_m_);
+    result.distance = smooth_min(result.distance, air, blend_over(result.above_floor));
   }
   return result;
 }

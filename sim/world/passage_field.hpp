@@ -57,6 +57,7 @@ class PassageField {
  private:
   void add_passage(const Passage& passage, int index, const std::vector<Node>& nodes);
   [[nodiscard]] float distance_to(const Stretch& stretch, const Eigen::Vector3f& p, float& above_floor) const noexcept;
+  [[nodiscard]] float blend_over(float above_floor) const noexcept;
   [[nodiscard]] float distance_to_open_air(const Mouth& mouth, const Eigen::Vector3f& p) const noexcept;
 
   std::vector<Stretch> stretches_;

@@ -177,7 +177,7 @@ TEST_F(WorldFile, DeepNestingAndFloodsAreRefused) {
     std::string inside;
     for (int k = 0; k < 10; ++k)
       inside.append("<include><uri>model://m").append(std::to_string(i - 1)).append("</uri></include>");
-    write_model("m" + std::to_string(i), inside);
+    write_model(std::string("m").append(std::to_string(i)), inside);
   }
   expect_one_line(error_of(write_world("<include><uri>model://m10</uri></include>")), "more than");
 }

@@ -187,19 +187,26 @@ void blur_motion(Renderer::Parts& parts, const CameraMotion& motion, float time_
       const float fv = static_cast<float>(m.focal_length_y_px) * (flow.y() - d.y() / z * flow.z()) / z * time_s;
       const int taps = std::min(kTapsMax, 1 + static_cast<int>(std::max(std::abs(fu), std::abs(fv)) + 0.5f));
       const int count = std::min(kRun, parts.width - u0);
+      int across[kTapsMax];
+      std::size_t rows[kTapsMax];
+      bool inside = true;
+      const auto rounded = [](float x) { return static_cast<int>(x + (x < 0.0f ? -0.5f : 0.5f)); };
+      for (int k = 0; k < taps; ++k) {
+        const float share = (static_cast<float>(k) + 0.5f) / static_cast<float>(taps) - 0.5f;
+        across[k] = u0 + rounded(std::clamp(share * fu, -9999.0f, 9999.0f));
+        const int down = v + rounded(std::clamp(share * fv, -9999.0f, 9999.0f));
+        rows[k] = static_cast<std::size_t>(std::clamp(down, 0, parts.height - 1)) * parts.stride;
+        inside = inside && across[k] >= 0 && across[k] + kRun <= parts.width;
+      }
       for (int c = 0; c < 3; ++c) {
+        const float* const plane = parts.planes[c].data();
         float sum[kRun] = {};
         for (int k = 0; k < taps; ++k) {
-          const float share = (static_cast<float>(k) + 0.5f) / static_cast<float>(taps) - 0.5f;
-          const int du = static_cast<int>(std::lround(share * fu)), dv = static_cast<int>(std::lround(share * fv));
-          const std::size_t row = static_cast<std::size_t>(std::clamp(v + dv, 0, parts.height - 1)) * parts.stride;
-          if (u0 + du >= 0 && u0 + du + kRun <= parts.width) {
-            const float* const from = &parts.planes[c][row + u0 + du];
-            for (int i = 0; i < kRun; ++i) sum[i] += from[i];
-          } else {
-            for (int i = 0; i < count; ++i)
-              sum[i] += parts.planes[c][row + std::clamp(u0 + du + i, 0, parts.width - 1)];
-          }
+          const float* const row = plane + rows[k];
+          if (inside)
+            for (int i = 0; i < kRun; ++i) sum[i] += row[across[k] + i];
+          else
+            for (int i = 0; i < count; ++i) sum[i] += row[std::clamp(across[k] + i, 0, parts.width - 1)];
         }
         for (int i = 0; i < count; ++i) parts.blurred[c][at + i] = sum[i] / static_cast<float>(taps);
       }

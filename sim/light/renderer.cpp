@@ -1,3 +1,6 @@
+#include <tbb/info.h>
+
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <numbers>
@@ -147,8 +150,10 @@ Renderer::Renderer(const World& world, const RigConfig& rig, const RenderConfig&
   p.materials = material_table_of(world);
   p.scene = scene ? std::move(scene) : std::make_shared<const RayScene>(world.mesh);
   p.camera = std::make_unique<Camera>(camera_model(rig.lens));
-  if (render.threads != 1)
-    p.arena = std::make_unique<tbb::task_arena>(render.threads > 0 ? render.threads : +tbb::task_arena::automatic);
+  // No more than there are: TBB would say so on the terminal.
+  const int most = tbb::info::default_concurrency();
+  const int threads = render.threads > 0 ? std::min(render.threads, most) : most;
+  if (threads > 1) p.arena = std::make_unique<tbb::task_arena>(threads);
   p.width = rig.lens.width;
   p.height = rig.lens.height;
   p.stride = (p.width + kTileWidth - 1) / kTileWidth * kTileWidth;

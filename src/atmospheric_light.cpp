@@ -2,7 +2,6 @@
 #include <cmath>
 #include <cstring>
 
-#include "adit/region.hpp"
 #include "adit/scattering_depth.hpp"
 #include "kernels/pixel_loops.hpp"
 
@@ -11,7 +10,6 @@ namespace {
 
 /// Sum of the colour channels of a pixel in grey levels; grey counts once.
 unsigned channel_sum(const std::uint8_t* pixel, PixelFormat format, int grey16_depth_bits) {
-  if (format == PixelFormat::kGrey8) return pixel[0];
   if (format == PixelFormat::kGrey16) {
     std::uint16_t value = 0;
     std::memcpy(&value, pixel, sizeof value);
@@ -31,27 +29,38 @@ std::uint64_t plain_sum_where_bright(const std::uint8_t* from, PixelFormat forma
   return sum;
 }
 
+/// The brightest `fraction` of a dark channel: tail.floor is the smallest level that belongs to it.
+kernels::BrightTail brightest_of(ConstPlaneView dark, double fraction) {
+  const double pixels = static_cast<double>(dark.width) * dark.height;
+  kernels::BrightTail tail;
+  tail.wanted = static_cast<std::uint64_t>(std::max(1.0, std::ceil(fraction * pixels)));
+  // Every 16th row first: the floor then stands near its final place, and of the rest little has to be counted.
+  constexpr int kRowStep = 16;
+  for (int first = 0; first < kRowStep; ++first) {
+    for (int v = first; v < dark.height; v += kRowStep) {
+      kernels::pixel_loops().count_tail(dark.row(v), dark.width, &tail);
+    }
+  }
+  return tail;
+}
+
 }  // namespace
 
 double atmospheric_light(const ImageView& view, int grey16_depth_bits, ConstPlaneView dark, double fraction) noexcept {
-  const Histogram histogram = histogram_of(dark);
-  const double pixels = static_cast<double>(dark.width) * dark.height;
-  const auto wanted = static_cast<std::uint64_t>(std::max(1.0, std::ceil(fraction * pixels)));
-  int level = 255;
-  std::uint64_t count = histogram[255];
-  while (level > 0 && count < wanted) count += histogram[static_cast<std::size_t>(--level)];
+  const kernels::BrightTail tail = brightest_of(dark, fraction);
+  const auto count = static_cast<double>(tail.above_floor + tail.counters[tail.floor]);
+  const auto floor = static_cast<std::uint8_t>(tail.floor);
   const int step = bytes_per_pixel(view.format);
-  const auto last = static_cast<std::uint8_t>(level);
   std::uint64_t sum = 0;
   for (int v = 0; v < view.height; ++v) {
     if (view.format == PixelFormat::kGrey16 || step == 4) {
-      sum += plain_sum_where_bright(view.row(v), view.format, grey16_depth_bits, dark.row(v), level, view.width);
+      sum += plain_sum_where_bright(view.row(v), view.format, grey16_depth_bits, dark.row(v), floor, view.width);
     } else {
-      sum += kernels::pixel_loops().sum_where_bright(view.row(v), step, dark.row(v), last, view.width);
+      sum += kernels::pixel_loops().sum_where_bright(view.row(v), step, dark.row(v), floor, view.width);
     }
   }
   const double channels = step >= 3 ? 3.0 : 1.0;
-  return static_cast<double>(sum) / (channels * static_cast<double>(count));
+  return static_cast<double>(sum) / (channels * count);
 }
 
 }  // namespace adit

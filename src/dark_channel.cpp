@@ -44,9 +44,9 @@ void dark_channel(const ImageView& view, const StructuringElement& patch, int gr
   RectanglePass pass(smallest_order(), view.width, view.height, patch, scratch.buffers().work.get());
   for (int v = 0; v < view.height; ++v) {
     channel_minimum(view.row(v), pass.next_row(), view.width);
-    pass.advance(out, false);
+    pass.advance(out);
   }
-  while (pass.rows_out() < view.height) pass.advance(out, true);
+  pass.finish(out);
 }
 
 }  // namespace adit

@@ -17,6 +17,9 @@ bool is_small(const StructuringElement& element) { return element.height() <= El
 
 std::size_t plane_pitch(int width) { return AlignedBytes::rounded_up(static_cast<std::size_t>(width)); }
 
+// Dilated rows that are kept: those under the element for a batch of rows, and what a batch may run ahead.
+int ring_rows(const StructuringElement& element) { return element.height() + 2 * EllipseRows::kBatch; }
+
 PlaneView scratch_plane(ConstPlaneView like, MorphologyScratch::Buffers& buffers) {
   return {buffers.plane.get(), like.width, like.height, static_cast<std::ptrdiff_t>(plane_pitch(like.width))};
 }
@@ -26,9 +29,9 @@ void apply_rectangle(Order order, ConstPlaneView in, const StructuringElement& e
   RectanglePass pass(order, in.width, in.height, element, buffers.work.get());
   for (int v = 0; v < in.height; ++v) {
     std::memcpy(pass.next_row(), in.row(v), static_cast<std::size_t>(in.width));
-    pass.advance(out, false);
+    pass.advance(out);
   }
-  while (pass.rows_out() < in.height) pass.advance(out, true);
+  pass.finish(out);
 }
 
 /// The rows under an element, in the order that EllipseRows wants them.
@@ -48,33 +51,48 @@ class RowsAround {
   const std::uint8_t* rows_[EllipseRows::kHeightMax_px + 1];
 };
 
+/// Makes the rows from `begin` to `end`, at most a batch.
+template <class RowOf, class OutRow>
+void make_rows(const EllipseRows& ellipse, int begin, int end, int height, RowOf row_of, OutRow out_row) {
+  RowsAround around;
+  std::uint8_t* out[EllipseRows::kBatch];
+  for (int v = begin; v < end; ++v) {
+    ellipse.stack(v - begin, around.at(v, height, ellipse.reach_v(), row_of));
+    out[v - begin] = out_row(v);
+  }
+  ellipse.widen(out, end - begin);
+}
+
 void apply_small(Order order, ConstPlaneView in, PlaneView out, MorphologyScratch::Buffers& buffers) {
   const EllipseRows ellipse(order, in.width, buffers.rectangles, buffers.work.get());
-  RowsAround around;
-  for (int v = 0; v < in.height; ++v) {
-    ellipse.make_row(around.at(v, in.height, ellipse.reach_v(), [&](int row) { return in.row(row); }), out.row(v));
+  const auto in_row = [&](int v) { return in.row(v); };
+  const auto out_row = [&](int v) { return out.row(v); };
+  for (int v = 0; v < in.height; v += EllipseRows::kBatch) {
+    make_rows(ellipse, v, std::min(v + EllipseRows::kBatch, in.height), in.height, in_row, out_row);
   }
 }
 
 // Dilation and erosion in one go down the plane: between them only the rows under one element are kept, so they never
-// leave the cache. Row v is written when no later row needs it: `out` may be `in`.
+// leave the cache. A row is written when no later one needs it: `out` may be `in`.
 void close_small(ConstPlaneView in, const StructuringElement& element, PlaneView out,
                  MorphologyScratch::Buffers& buffers) {
   std::uint8_t* second = buffers.work.get() + EllipseRows::bytes_needed(in.width, element);
   const EllipseRows dilation(largest_order(), in.width, buffers.rectangles, buffers.work.get());
   const EllipseRows erosion(smallest_order(), in.width, buffers.rectangles, second);
-  const int reach_v = dilation.reach_v();
+  const auto in_row = [&](int v) { return in.row(v); };
+  const auto out_row = [&](int v) { return out.row(v); };
   const auto dilated_row = [&](int v) {
-    return buffers.plane.get() + static_cast<std::size_t>(v % element.height()) * plane_pitch(in.width);
+    return buffers.plane.get() + static_cast<std::size_t>(v % ring_rows(element)) * plane_pitch(in.width);
   };
-  RowsAround around;
-  for (int v = 0; v < in.height + reach_v; ++v) {
-    if (v < in.height) {
-      dilation.make_row(around.at(v, in.height, reach_v, [&](int row) { return in.row(row); }), dilated_row(v));
+  int dilated = 0;
+  for (int v = 0; v < in.height; v += EllipseRows::kBatch) {
+    const int end = std::min(v + EllipseRows::kBatch, in.height);
+    while (dilated < std::min(end + dilation.reach_v(), in.height)) {
+      const int batch_end = std::min(dilated + EllipseRows::kBatch, in.height);
+      make_rows(dilation, dilated, batch_end, in.height, in_row, dilated_row);
+      dilated = batch_end;
     }
-    if (v >= reach_v) {
-      erosion.make_row(around.at(v - reach_v, in.height, reach_v, dilated_row), out.row(v - reach_v));
-    }
+    make_rows(erosion, v, end, in.height, dilated_row, out_row);
   }
 }
 
@@ -102,7 +120,7 @@ void MorphologyScratch::reserve(int width, int height, const StructuringElement&
   }
   buffers.work.reserve(is_small(element) ? 2 * EllipseRows::bytes_needed(width, element)
                                          : LargeEllipse::bytes_needed(width, height, element));
-  buffers.plane.reserve(plane_pitch(width) * static_cast<std::size_t>(std::max(height, element.height())));
+  buffers.plane.reserve(plane_pitch(width) * static_cast<std::size_t>(std::max(height, ring_rows(element))));
 }
 
 void erode(ConstPlaneView in, const StructuringElement& element, PlaneView out, MorphologyScratch& scratch) noexcept {

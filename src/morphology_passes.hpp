@@ -54,22 +54,31 @@ class RectanglePass {
   RectanglePass(Order order, int width, int height, const StructuringElement& element, std::uint8_t* work) noexcept;
 
   /// Where the next source row is to be written: `width` bytes.
-  [[nodiscard]] std::uint8_t* next_row() const noexcept { return source_ + reach_u_; }
-  /// Takes the row at next_row(), or one that is past the end of the plane, and writes a result row if one is due.
-  /// Call once for each row of the plane, then with `past_the_end` until rows_out() == height.
-  void advance(PlaneView out, bool past_the_end) noexcept;
-  [[nodiscard]] int rows_out() const noexcept { return rows_out_; }
+  [[nodiscard]] std::uint8_t* next_row() const noexcept { return source_ + pending_ * pitch_ + reach_u_; }
+  /// Takes the row at next_row() and writes the result rows that are due. Result rows lag behind, so `out` may be the
+  /// plane that the rows come from.
+  void advance(PlaneView out) noexcept;
+  /// Writes what is left, after the last row of the plane.
+  void finish(PlaneView out) noexcept;
 
  private:
-  void window_of_row(std::uint8_t* to) noexcept;
+  void take_pending(PlaneView out) noexcept;
+  void take_into_block(std::uint8_t* row, PlaneView out) noexcept;
+  [[nodiscard]] std::uint8_t* row_of_block() const noexcept {
+    return block_ + static_cast<std::size_t>(row_in_block_) * pitch_;
+  }
   void close_block() noexcept;
 
+  // Rows go through the horizontal windows together: a row alone would wait for its own last store at every step.
+  static constexpr std::size_t kBatch = 8;
   Order order_;
   int width_;
+  int height_;
   int reach_u_;
   int reach_v_;
   std::size_t pitch_;
-  std::uint8_t* source_;  ///< a row with reach_u identity values at both ends
+  std::size_t pending_ = 0;  ///< rows at source_ that wait for their windows
+  std::uint8_t* source_;     ///< kBatch rows, each with reach_u identity values at both ends
   std::uint8_t* doubled_[2];
   std::uint8_t* running_;  ///< best of the present block's rows so far
   std::uint8_t* block_;    ///< a block of 2 * reach_v + 1 rows: behind the present one, suffixes of the last block
@@ -88,21 +97,27 @@ struct Reach {
 /// union is the element.
 void list_rectangles(const StructuringElement& element, std::vector<Reach>& rectangles);
 
-/// The best value over an element that is the union of `rectangles`, a row at a time, for elements of few rows.
+/// The best value over an element that is the union of `rectangles`, a few rows at a time, for elements of few rows.
 /// Vertical windows first, all rectangles in one go; then, because taking the best distributes over itself, the
 /// rectangles are widened step by step, each step serving all wider ones (Horner's scheme).
 class EllipseRows {
  public:
   /// Elements higher than this are left to LargeEllipse.
   static constexpr int kHeightMax_px = 31;
+  /// Rows made together; a row alone would wait for its own last store at every step.
+  static constexpr int kBatch = 4;
 
   [[nodiscard]] static std::size_t bytes_needed(int width, const StructuringElement& element) noexcept;
 
   EllipseRows(Order order, int width, const std::vector<Reach>& rectangles, std::uint8_t* work) noexcept;
 
+  /// Takes a row of the batch; then widen() makes them.
+  /// @param slot  0 to kBatch - 1.
   /// @param rows  the middle row, then the rows above and below it in pairs, going outwards, reach_v() pairs. Where the
   ///              plane has no such row, the middle row stands in: it is under the element anyway.
-  void make_row(const std::uint8_t* const* rows, std::uint8_t* out) const noexcept;
+  void stack(int slot, const std::uint8_t* const* rows) const noexcept;
+  /// @param out  where to write the rows of the batch.
+  void widen(std::uint8_t* const* out, int count) const noexcept;
   [[nodiscard]] int reach_v() const noexcept { return reach_[count_ - 1]; }
 
  private:
@@ -116,6 +131,8 @@ class EllipseRows {
   static constexpr int kStepsMax = 64;
   Order order_;
   int width_;
+  std::size_t pitch_;  ///< from row to row of a batch
+  std::size_t lead_;   ///< columns that are widened before the first row's first column
   int count_ = 0;
   int reach_[kRectanglesMax];
   std::uint8_t* window_[kRectanglesMax];

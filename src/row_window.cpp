@@ -19,39 +19,71 @@ Order largest_order() noexcept { return {kernels::pixel_loops().largest, 0}; }
 
 std::size_t RectanglePass::bytes_needed(int width, int height, const StructuringElement& element) noexcept {
   const int rows = 2 * clipped(element.height() / 2, height) + 1;
-  return pitch_of(width, clipped(element.width() / 2, width)) * static_cast<std::size_t>(4 + rows);
+  return pitch_of(width, clipped(element.width() / 2, width)) * (3 * kBatch + 1 + static_cast<std::size_t>(rows));
 }
 
 RectanglePass::RectanglePass(Order order, int width, int height, const StructuringElement& element,
                              std::uint8_t* work) noexcept
     : order_(order),
       width_(width),
+      height_(height),
       reach_u_(clipped(element.width() / 2, width)),
       reach_v_(clipped(element.height() / 2, height)),
       pitch_(pitch_of(width, reach_u_)),
       source_(work),
-      doubled_{work + pitch_, work + 2 * pitch_},
-      running_(work + 3 * pitch_),
-      block_(work + 4 * pitch_) {
-  std::memset(source_, order_.identity, pitch_);
+      doubled_{work + kBatch * pitch_, work + 2 * kBatch * pitch_},
+      running_(work + 3 * kBatch * pitch_),
+      block_(work + (3 * kBatch + 1) * pitch_) {
+  std::memset(source_, order_.identity, kBatch * pitch_);
   std::memset(running_, order_.identity, pitch_);
   // Rows above the plane: they fill the head of the first block and never win.
   std::memset(block_, order_.identity, static_cast<std::size_t>(reach_v_) * pitch_);
   row_in_block_ = reach_v_;
 }
 
-// Windows of 1, 2, 4, ... columns, each from two of the last; the final width is made of two that overlap.
-void RectanglePass::window_of_row(std::uint8_t* to) noexcept {
+void RectanglePass::advance(PlaneView out) noexcept {
+  if (++pending_ == kBatch) take_pending(out);
+}
+
+void RectanglePass::finish(PlaneView out) noexcept {
+  take_pending(out);
+  while (rows_out_ < height_) {  // rows below the plane: they never win
+    std::memset(row_of_block(), order_.identity, static_cast<std::size_t>(width_));
+    take_into_block(row_of_block(), out);
+  }
+}
+
+// Windows of 1, 2, 4, ... columns, each from two of the last; the final width is made of two that overlap. The rows lie
+// one behind the other and are doubled as one: what runs over from a row's end into the next is not used.
+void RectanglePass::take_pending(PlaneView out) noexcept {
   const int window = 2 * reach_u_ + 1;
   const std::uint8_t* from = source_;
-  int length = width_ + 2 * reach_u_;
+  int length = static_cast<int>(pending_ * pitch_);
   int columns = 1;
-  for (int turn = 0; 2 * columns <= window; turn ^= 1, columns *= 2) {
+  for (int turn = 0; 2 * columns <= window && length > 0; turn ^= 1, columns *= 2) {
     length -= columns;
     order_.loops.join(from, from + columns, doubled_[turn], length);
     from = doubled_[turn];
   }
-  order_.loops.join(from, from + window - columns, to, width_);
+  for (std::size_t i = 0; i < pending_; ++i, from += pitch_) {
+    order_.loops.join(from, from + window - columns, row_of_block(), width_);
+    take_into_block(row_of_block(), out);
+  }
+  pending_ = 0;
+}
+
+// Row i of the block is read for the last time one step before it is written again: one block is enough.
+void RectanglePass::take_into_block(std::uint8_t* row, PlaneView out) noexcept {
+  const int rows = 2 * reach_v_ + 1;
+  ++rows_in_;
+  if (rows_in_ <= reach_v_) {  // no window is complete yet
+    order_.loops.join(row, running_, running_, width_);
+  } else if (row_in_block_ + 1 == rows) {
+    order_.loops.fold(row, running_, row, out.row(rows_out_++), width_);
+  } else {
+    order_.loops.fold(row, running_, row + pitch_, out.row(rows_out_++), width_);
+  }
+  if (++row_in_block_ == rows) close_block();
 }
 
 void RectanglePass::close_block() noexcept {
@@ -62,26 +94,6 @@ void RectanglePass::close_block() noexcept {
   }
   std::memset(running_, order_.identity, static_cast<std::size_t>(width_));
   row_in_block_ = 0;
-}
-
-void RectanglePass::advance(PlaneView out, bool past_the_end) noexcept {
-  const int rows = 2 * reach_v_ + 1;
-  // Row i of the block is read for the last time one step before it is written again: one block is enough.
-  std::uint8_t* row = block_ + static_cast<std::size_t>(row_in_block_) * pitch_;
-  if (past_the_end) {
-    std::memset(row, order_.identity, static_cast<std::size_t>(width_));
-  } else {
-    window_of_row(row);
-  }
-  ++rows_in_;
-  if (rows_in_ <= reach_v_) {  // no window is complete yet
-    order_.loops.join(row, running_, running_, width_);
-  } else if (row_in_block_ + 1 == rows) {
-    order_.loops.fold(row, running_, row, out.row(rows_out_++), width_);
-  } else {
-    order_.loops.fold(row, running_, row + pitch_, out.row(rows_out_++), width_);
-  }
-  if (++row_in_block_ == rows) close_block();
 }
 
 }  // namespace adit

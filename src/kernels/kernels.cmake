@@ -17,7 +17,7 @@ if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|amd64|AMD64)$")
   set_source_files_properties(kernels/target_sse41.cpp PROPERTIES COMPILE_OPTIONS "-msse4.1")
   set_source_files_properties(kernels/target_avx2.cpp PROPERTIES COMPILE_OPTIONS "-mavx2")
   set_source_files_properties(kernels/target_avx512.cpp PROPERTIES
-    COMPILE_OPTIONS "-mavx512f;-mavx512bw;-mavx512vl;-mavx512dq;-mprefer-vector-width=512")
+    COMPILE_OPTIONS "-mavx512f;-mavx512bw;-mavx512vl;-mavx512dq;-mpopcnt;-mprefer-vector-width=512")
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     # GCC's own AVX-512 header initialises "undefined" vectors with themselves (GCC bug 105593).
     set_property(SOURCE kernels/target_avx512.cpp APPEND PROPERTY COMPILE_OPTIONS

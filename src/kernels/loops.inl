@@ -71,28 +71,44 @@ void spread(const std::uint8_t* in, int shift, const std::uint8_t* also, std::ui
       [&](int x) { out[x] = Order::of(Order::of(left[x], right[x]), Order::of(in[x], also[x])); });
 }
 
+// kVectors vectors side by side, so that a row's address is fetched once for all of them.
+template <class Order, int kVectors>
+inline void stack_columns(const std::uint8_t* const* rows, const int* reach, int count, std::uint8_t* const* out,
+                          int x) {
+  constexpr int kLanes = Bytes::kLanes;
+  Bytes best[kVectors];
+  for (int i = 0; i < kVectors; ++i) best[i] = load(rows[0] + x + i * kLanes);
+  int dv = 1;
+  for (int j = 0; j < count; ++j) {
+    for (; dv <= reach[j]; ++dv) {
+      const std::uint8_t* above = rows[2 * dv - 1] + x;
+      const std::uint8_t* below = rows[2 * dv] + x;
+      for (int i = 0; i < kVectors; ++i) {
+        best[i] = Order::of(best[i], Order::of(load(above + i * kLanes), load(below + i * kLanes)));
+      }
+    }
+    for (int i = 0; i < kVectors; ++i) store(out[j] + x + i * kLanes, best[i]);
+  }
+}
+
 template <class Order>
 void stack(const std::uint8_t* const* rows, const int* reach, int count, std::uint8_t* const* out, int width) {
-  along(
-      width,
-      [&](int x) {
-        Bytes best = load(rows[0] + x);
-        int dv = 1;
-        for (int j = 0; j < count; ++j) {
-          for (; dv <= reach[j]; ++dv) {
-            best = Order::of(best, Order::of(load(rows[2 * dv - 1] + x), load(rows[2 * dv] + x)));
-          }
-          store(out[j] + x, best);
-        }
-      },
-      [&](int x) {
-        std::uint8_t best = rows[0][x];
-        int dv = 1;
-        for (int j = 0; j < count; ++j) {
-          for (; dv <= reach[j]; ++dv) best = Order::of(best, Order::of(rows[2 * dv - 1][x], rows[2 * dv][x]));
-          out[j][x] = best;
-        }
-      });
+  constexpr int kVectors = 4;
+  int x = 0;
+  for (; x + kVectors * Bytes::kLanes <= width; x += kVectors * Bytes::kLanes) {
+    stack_columns<Order, kVectors>(rows, reach, count, out, x);
+  }
+  for (; x + Bytes::kLanes <= width; x += Bytes::kLanes) stack_columns<Order, 1>(rows, reach, count, out, x);
+  if (x == width) return;
+  if (width >= Bytes::kLanes) return stack_columns<Order, 1>(rows, reach, count, out, width - Bytes::kLanes);
+  for (; x < width; ++x) {
+    std::uint8_t best = rows[0][x];
+    int dv = 1;
+    for (int j = 0; j < count; ++j) {
+      for (; dv <= reach[j]; ++dv) best = Order::of(best, Order::of(rows[2 * dv - 1][x], rows[2 * dv][x]));
+      out[j][x] = best;
+    }
+  }
 }
 
 template <class Order>
@@ -163,51 +179,90 @@ void grey16_to_8(const std::uint8_t* from, int shift, std::uint8_t* to, int widt
       });
 }
 
-// Four sets of counters, so that equal neighbours do not wait for each other.
+// In a closed plane the values of a small tile lie close together: comparing the tile with each of them in turn is
+// several times faster than counting pixel by pixel. Tiles of many values are counted by pixel, in four sets of
+// counters, so that equal neighbours do not wait for each other.
+constexpr int kTileSide = 16;
+constexpr int kTileVectors = kTileSide * kTileSide / Bytes::kLanes;
+constexpr int kTileLevelsMax = 48;
+
 struct LevelCounters {
   std::uint32_t set[4][256];
 };
 
-inline void count_word(const std::uint8_t* p, std::uint32_t times, LevelCounters& counters) {
-  std::uint64_t word;
-  __builtin_memcpy(&word, p, sizeof word);
-  if (word == (word & 255u) * 0x0101010101010101ull) {
-    counters.set[0][word & 255u] += 8 * times;
-    return;
+inline void count_pixels(const std::uint8_t* tile, std::ptrdiff_t stride, LevelCounters& counters) {
+  for (int v = 0; v < kTileSide; ++v) {
+    for (int x = 0; x < kTileSide; x += 4) {
+      std::uint32_t four;
+      __builtin_memcpy(&four, tile + v * stride + x, sizeof four);
+      ++counters.set[0][four & 255u];
+      ++counters.set[1][(four >> 8) & 255u];
+      ++counters.set[2][(four >> 16) & 255u];
+      ++counters.set[3][four >> 24];
+    }
   }
-  for (int i = 0; i < 8; ++i) counters.set[i & 3][(word >> (8 * i)) & 255u] += times;
 }
 
-// Closed planes are flat: a stretch of a row is often the same as the one above it. So each band of columns is walked
-// downwards, and a stretch is counted once, with the number of rows it stands in.
+inline void count_tile(const std::uint8_t* tile, std::ptrdiff_t stride, LevelCounters& counters) {
+  Bytes part[kTileVectors];
+  for (int i = 0; i < kTileVectors; ++i) part[i] = load_16_wide(tile + i * (kTileSide / kTileVectors) * stride, stride);
+  Bytes low = part[0];
+  Bytes high = part[0];
+  for (int i = 1; i < kTileVectors; ++i) {
+    low = smallest(low, part[i]);
+    high = largest(high, part[i]);
+  }
+  const int first = least(low);
+  const int last = most(high);
+  if (last - first >= kTileLevelsMax) return count_pixels(tile, stride, counters);
+  std::uint32_t left = kTileSide * kTileSide;
+  for (int level = first; level < last; ++level) {
+    const std::uint32_t found = occurrences(part, static_cast<std::uint8_t>(level));
+    counters.set[0][level] += found;
+    left -= found;
+  }
+  counters.set[0][last] += left;
+}
+
 void count_levels(const std::uint8_t* plane, std::ptrdiff_t stride, int width, int height, std::uint32_t* totals) {
   LevelCounters counters;
   __builtin_memset(&counters, 0, sizeof counters);
-  constexpr int kLanes = Bytes::kLanes;
-  int x = 0;
-  for (; x + kLanes <= width; x += kLanes) {
-    const std::uint8_t* run = plane + x;  // where the run of equal stretches began
-    Bytes above = load(run);
-    std::uint32_t times = 1;
-    for (int v = 1; v <= height; ++v) {
-      const std::uint8_t* here = plane + v * stride + x;
-      if (v < height && same(load(here), above)) {
-        ++times;
-        continue;
-      }
-      for (int i = 0; i < kLanes; i += 8) count_word(run + i, times, counters);
-      if (v == height) break;
-      run = here;
-      above = load(here);
-      times = 1;
-    }
+  const int tiles_right = width - width % kTileSide;
+  const int tiles_below = height - height % kTileSide;
+  for (int v = 0; v < tiles_below; v += kTileSide) {
+    for (int x = 0; x < tiles_right; x += kTileSide) count_tile(plane + v * stride + x, stride, counters);
   }
-  for (; x < width; ++x) {
-    for (int v = 0; v < height; ++v) ++counters.set[v & 3][plane[v * stride + x]];
+  for (int v = 0; v < height; ++v) {
+    for (int x = v < tiles_below ? tiles_right : 0; x < width; ++x) ++counters.set[x & 3][plane[v * stride + x]];
   }
   for (int level = 0; level < 256; ++level) {
-    totals[level] +=
-        counters.set[0][level] + counters.set[1][level] + counters.set[2][level] + counters.set[3][level];
+    totals[level] += counters.set[0][level] + counters.set[1][level] + counters.set[2][level] + counters.set[3][level];
+  }
+}
+
+// Counts values that may be among the brightest `wanted`. Rises `floor` (see BrightTail) as it learns more.
+void count_tail(const std::uint8_t* row, int width, BrightTail* tail) {
+  constexpr int kLanes = Bytes::kLanes;
+  int x = 0;
+  Bytes below = fill(static_cast<std::uint8_t>(tail->floor > 0 ? tail->floor - 1 : 0));
+  while (x < width) {
+    int end = width;
+    if (x + kLanes <= width) {
+      end = x + kLanes;
+      if (tail->floor > 0 && !any_above(load(row + x), below)) {
+        x = end;
+        continue;
+      }
+    }
+    const int floor_before = tail->floor;
+    for (; x < end; ++x) {
+      const int level = row[x];
+      if (level < floor_before) continue;
+      ++tail->counters[level];
+      tail->above_floor += level > tail->floor;
+    }
+    while (tail->above_floor >= tail->wanted) tail->above_floor -= tail->counters[++tail->floor];
+    if (tail->floor != floor_before) below = fill(static_cast<std::uint8_t>(tail->floor - 1));
   }
 }
 
@@ -269,5 +324,4 @@ constexpr OrderLoops order_loops() {
   return {join<Order>, fold<Order>, spread<Order>, stack<Order>, gather<Order>, compare_cells<Order>};
 }
 
-constexpr PixelLoops kLoops = {order_loops<Smallest>(), order_loops<Largest>(), triplet_minimum, quad_minimum,
-                               grey16_to_8,             count_levels,           count_mask,      sum_where_bright};
+constexpr PixelLoops kLoops = {order_loops<Smallest>(), order_loops<Largest>(), triplet_minimum, quad_minimum, grey16_to_8, count_levels, count_tail, count_mask, sum_where_bright};

@@ -29,6 +29,14 @@ struct OrderLoops {
                         std::uint8_t* other_beyond);
 };
 
+/// The brightest `wanted` values met so far, and what is sure about them.
+struct BrightTail {
+  std::uint64_t wanted = 1;       ///< >= 1
+  std::uint64_t above_floor = 0;  ///< values above `floor`; fewer than `wanted`
+  int floor = 0;                  ///< at least `wanted` values are at or above it, once that many have been met
+  std::uint32_t counters[256]{};  ///< right for levels from `floor` on
+};
+
 struct PixelLoops {
   OrderLoops smallest;
   OrderLoops largest;
@@ -41,6 +49,8 @@ struct PixelLoops {
   /// Adds the values of a plane to 256 counters.
   void (*count_levels)(const std::uint8_t* plane, std::ptrdiff_t stride, int width, int height,
                        std::uint32_t* counters);
+  /// Takes one more row into the tail.
+  void (*count_tail)(const std::uint8_t* row, int width, BrightTail* tail);
   /// Adds 1 to columns[x] for each row whose value there is at most `last_level`; rows[v] = how many in row v.
   /// At most 255 rows.
   void (*count_mask)(const std::uint8_t* plane, std::ptrdiff_t stride, int width, int height, std::uint8_t last_level,

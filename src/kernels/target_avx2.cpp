@@ -18,12 +18,36 @@ inline Bytes smallest(Bytes a, Bytes b) { return {_mm256_min_epu8(a.v, b.v)}; }
 inline Bytes largest(Bytes a, Bytes b) { return {_mm256_max_epu8(a.v, b.v)}; }
 inline Bytes at_most(Bytes a, Bytes limit) { return {_mm256_cmpeq_epi8(_mm256_min_epu8(a.v, limit.v), a.v)}; }
 inline Bytes minus(Bytes a, Bytes b) { return {_mm256_sub_epi8(a.v, b.v)}; }
-inline bool same(Bytes a, Bytes b) { return _mm256_movemask_epi8(_mm256_cmpeq_epi8(a.v, b.v)) == -1; }
-inline bool any_above(Bytes a, Bytes b) { return !same(largest(a, b), b); }
+inline bool any_above(Bytes a, Bytes b) { return _mm256_movemask_epi8(_mm256_cmpeq_epi8(largest(a, b).v, b.v)) != -1; }
 inline std::uint32_t sum(Bytes a) {
   const __m256i parts = _mm256_sad_epu8(a.v, _mm256_setzero_si256());
   return static_cast<std::uint32_t>(_mm256_extract_epi32(parts, 0) + _mm256_extract_epi32(parts, 2) +
                                     _mm256_extract_epi32(parts, 4) + _mm256_extract_epi32(parts, 6));
+}
+
+inline int least_of_16(__m128i a) {
+  const __m128i pairs = _mm_min_epu8(a, _mm_srli_epi16(a, 8));
+  return _mm_cvtsi128_si32(_mm_minpos_epu16(_mm_and_si128(pairs, _mm_set1_epi16(255)))) & 255;
+}
+inline int most_of_16(__m128i a) { return 255 - least_of_16(_mm_xor_si128(a, _mm_set1_epi8(-1))); }
+inline int least(Bytes a) {
+  return least_of_16(_mm_min_epu8(_mm256_castsi256_si128(a.v), _mm256_extracti128_si256(a.v, 1)));
+}
+inline int most(Bytes a) {
+  return most_of_16(_mm_max_epu8(_mm256_castsi256_si128(a.v), _mm256_extracti128_si256(a.v, 1)));
+}
+
+// 16 columns of two rows.
+inline Bytes load_16_wide(const std::uint8_t* p, std::ptrdiff_t stride) {
+  return {_mm256_loadu2_m128i(reinterpret_cast<const __m128i*>(p + stride), reinterpret_cast<const __m128i*>(p))};
+}
+
+// How often `level` stands in a tile of 256 bytes.
+inline std::uint32_t occurrences(const Bytes* tile, std::uint8_t level) {
+  const __m256i wanted = _mm256_set1_epi8(static_cast<char>(level));
+  __m256i count = _mm256_setzero_si256();
+  for (int i = 0; i < 8; ++i) count = _mm256_sub_epi8(count, _mm256_cmpeq_epi8(tile[i].v, wanted));
+  return sum({count});
 }
 
 #include "blocks_sse41.inl"

@@ -18,10 +18,47 @@ inline Bytes smallest(Bytes a, Bytes b) { return {_mm512_min_epu8(a.v, b.v)}; }
 inline Bytes largest(Bytes a, Bytes b) { return {_mm512_max_epu8(a.v, b.v)}; }
 inline Bytes at_most(Bytes a, Bytes limit) { return {_mm512_movm_epi8(_mm512_cmple_epu8_mask(a.v, limit.v))}; }
 inline Bytes minus(Bytes a, Bytes b) { return {_mm512_sub_epi8(a.v, b.v)}; }
-inline bool same(Bytes a, Bytes b) { return _mm512_cmpneq_epi8_mask(a.v, b.v) == 0; }
 inline bool any_above(Bytes a, Bytes b) { return _mm512_cmpgt_epu8_mask(a.v, b.v) != 0; }
 inline std::uint32_t sum(Bytes a) {
   return static_cast<std::uint32_t>(_mm512_reduce_add_epi64(_mm512_sad_epu8(a.v, _mm512_setzero_si512())));
+}
+
+inline int least_of_16(__m128i a) {
+  const __m128i pairs = _mm_min_epu8(a, _mm_srli_epi16(a, 8));
+  return _mm_cvtsi128_si32(_mm_minpos_epu16(_mm_and_si128(pairs, _mm_set1_epi16(255)))) & 255;
+}
+inline int most_of_16(__m128i a) { return 255 - least_of_16(_mm_xor_si128(a, _mm_set1_epi8(-1))); }
+inline __m128i quarter(Bytes a, int which) {
+  return which == 0   ? _mm512_castsi512_si128(a.v)
+         : which == 1 ? _mm512_extracti32x4_epi32(a.v, 1)
+         : which == 2 ? _mm512_extracti32x4_epi32(a.v, 2)
+                      : _mm512_extracti32x4_epi32(a.v, 3);
+}
+inline int least(Bytes a) {
+  return least_of_16(
+      _mm_min_epu8(_mm_min_epu8(quarter(a, 0), quarter(a, 1)), _mm_min_epu8(quarter(a, 2), quarter(a, 3))));
+}
+inline int most(Bytes a) {
+  return most_of_16(
+      _mm_max_epu8(_mm_max_epu8(quarter(a, 0), quarter(a, 1)), _mm_max_epu8(quarter(a, 2), quarter(a, 3))));
+}
+
+// 16 columns of four rows.
+inline Bytes load_16_wide(const std::uint8_t* p, std::ptrdiff_t stride) {
+  const auto row = [&](int v) { return _mm_loadu_si128(reinterpret_cast<const __m128i*>(p + v * stride)); };
+  const __m256i low = _mm256_inserti128_si256(_mm256_castsi128_si256(row(0)), row(1), 1);
+  const __m256i high = _mm256_inserti128_si256(_mm256_castsi128_si256(row(2)), row(3), 1);
+  return {_mm512_inserti64x4(_mm512_castsi256_si512(low), high, 1)};
+}
+
+// How often `level` stands in a tile of 256 bytes.
+inline std::uint32_t occurrences(const Bytes* tile, std::uint8_t level) {
+  const __m512i wanted = _mm512_set1_epi8(static_cast<char>(level));
+  std::uint64_t count = 0;
+  for (int i = 0; i < 4; ++i) {
+    count += static_cast<std::uint64_t>(__builtin_popcountll(_mm512_cmpeq_epu8_mask(tile[i].v, wanted)));
+  }
+  return static_cast<std::uint32_t>(count);
 }
 
 #include "blocks_sse41.inl"

@@ -18,7 +18,6 @@ inline Bytes smallest(Bytes a, Bytes b) { return {vminq_u8(a.v, b.v)}; }
 inline Bytes largest(Bytes a, Bytes b) { return {vmaxq_u8(a.v, b.v)}; }
 inline Bytes at_most(Bytes a, Bytes limit) { return {vcleq_u8(a.v, limit.v)}; }
 inline Bytes minus(Bytes a, Bytes b) { return {vsubq_u8(a.v, b.v)}; }
-inline bool same(Bytes a, Bytes b) { return vminvq_u8(vceqq_u8(a.v, b.v)) != 0; }
 inline bool any_above(Bytes a, Bytes b) { return vmaxvq_u8(vcgtq_u8(a.v, b.v)) != 0; }
 inline std::uint32_t sum(Bytes a) { return vaddlvq_u8(a.v); }
 
@@ -27,6 +26,19 @@ constexpr int kTripletExtra = 0;
 inline void triplet_minimum_block(const std::uint8_t* p, std::uint8_t* to) {
   const uint8x16x3_t channel = vld3q_u8(p);
   vst1q_u8(to, vminq_u8(vminq_u8(channel.val[0], channel.val[1]), channel.val[2]));
+}
+inline int least(Bytes a) { return vminvq_u8(a.v); }
+inline int most(Bytes a) { return vmaxvq_u8(a.v); }
+
+// 16 columns of one row.
+inline Bytes load_16_wide(const std::uint8_t* p, std::ptrdiff_t) { return load(p); }
+
+// How often `level` stands in a tile of 256 bytes.
+inline std::uint32_t occurrences(const Bytes* tile, std::uint8_t level) {
+  const uint8x16_t wanted = vdupq_n_u8(level);
+  uint8x16_t count = vdupq_n_u8(0);
+  for (int i = 0; i < 16; ++i) count = vsubq_u8(count, vceqq_u8(tile[i].v, wanted));
+  return vaddlvq_u8(count);
 }
 
 inline void quad_minimum_block(const std::uint8_t* p, std::uint8_t* to) {

@@ -37,7 +37,6 @@ inline Bytes at_most(const Bytes& a, const Bytes& limit) {
 inline Bytes minus(const Bytes& a, const Bytes& b) {
   return each([&](int i) { return a.v[i] - b.v[i]; });
 }
-inline bool same(const Bytes& a, const Bytes& b) { return __builtin_memcmp(a.v, b.v, sizeof a.v) == 0; }
 inline bool any_above(const Bytes& a, const Bytes& b) {
   unsigned above = 0;
   for (int i = 0; i < Bytes::kLanes; ++i) above |= a.v[i] > b.v[i] ? 1u : 0u;
@@ -47,6 +46,28 @@ inline std::uint32_t sum(const Bytes& a) {
   std::uint32_t total = 0;
   for (int i = 0; i < Bytes::kLanes; ++i) total += a.v[i];
   return total;
+}
+inline int least(const Bytes& a) {
+  int result = 255;
+  for (const std::uint8_t value : a.v) result = value < result ? value : result;
+  return result;
+}
+inline int most(const Bytes& a) {
+  int result = 0;
+  for (const std::uint8_t value : a.v) result = value > result ? value : result;
+  return result;
+}
+
+// 16 columns of one row.
+inline Bytes load_16_wide(const std::uint8_t* p, std::ptrdiff_t) { return load(p); }
+
+// How often `level` stands in a tile of 256 bytes.
+inline std::uint32_t occurrences(const Bytes* tile, std::uint8_t level) {
+  Bytes count = fill(0);
+  for (int i = 0; i < 16; ++i) {
+    count = each([&](int lane) { return count.v[lane] + (tile[i].v[lane] == level ? 1 : 0); });
+  }
+  return sum(count);
 }
 
 inline std::uint8_t smaller(std::uint8_t a, std::uint8_t b) { return a < b ? a : b; }

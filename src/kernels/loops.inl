@@ -94,13 +94,12 @@ inline void stack_columns(const std::uint8_t* const* rows, const int* reach, int
 template <class Order>
 void stack(const std::uint8_t* const* rows, const int* reach, int count, std::uint8_t* const* out, int width) {
   constexpr int kVectors = 4;
+  constexpr int kStep = kVectors * Bytes::kLanes;
   int x = 0;
-  for (; x + kVectors * Bytes::kLanes <= width; x += kVectors * Bytes::kLanes) {
-    stack_columns<Order, kVectors>(rows, reach, count, out, x);
-  }
-  for (; x + Bytes::kLanes <= width; x += Bytes::kLanes) stack_columns<Order, 1>(rows, reach, count, out, x);
+  for (; x + kStep <= width; x += kStep) stack_columns<Order, kVectors>(rows, reach, count, out, x);
   if (x == width) return;
-  if (width >= Bytes::kLanes) return stack_columns<Order, 1>(rows, reach, count, out, width - Bytes::kLanes);
+  if (width >= kStep) return stack_columns<Order, kVectors>(rows, reach, count, out, width - kStep);
+  for (; x + Bytes::kLanes <= width; x += Bytes::kLanes) stack_columns<Order, 1>(rows, reach, count, out, x);
   for (; x < width; ++x) {
     std::uint8_t best = rows[0][x];
     int dv = 1;

@@ -34,15 +34,16 @@ void apply_rectangle(Order order, ConstPlaneView in, const StructuringElement& e
   pass.finish(out);
 }
 
-/// The rows under an element, in the order that EllipseRows wants them.
+/// The rows under the elements at v and v + 1, in the order that EllipseRows wants them.
 class RowsAround {
  public:
   template <class RowOf>
   const std::uint8_t* const* at(int v, int height, int reach_v, RowOf row_of) noexcept {
     rows_[0] = row_of(v);
+    rows_[1] = v + 1 < height ? row_of(v + 1) : rows_[0];
     for (int dv = 1; dv <= reach_v; ++dv) {
-      rows_[2 * dv - 1] = v - dv >= 0 ? row_of(v - dv) : rows_[0];
-      rows_[2 * dv] = v + dv < height ? row_of(v + dv) : rows_[0];
+      rows_[2 * dv] = v - dv >= 0 ? row_of(v - dv) : rows_[0];
+      rows_[2 * dv + 1] = v + 1 + dv < height ? row_of(v + 1 + dv) : rows_[1];
     }
     return rows_;
   }
@@ -56,10 +57,8 @@ template <class RowOf, class OutRow>
 void make_rows(const EllipseRows& ellipse, int begin, int end, int height, RowOf row_of, OutRow out_row) {
   RowsAround around;
   std::uint8_t* out[EllipseRows::kBatch];
-  for (int v = begin; v < end; ++v) {
-    ellipse.stack(v - begin, around.at(v, height, ellipse.reach_v(), row_of));
-    out[v - begin] = out_row(v);
-  }
+  for (int v = begin; v < end; v += 2) ellipse.stack(v - begin, around.at(v, height, ellipse.reach_v(), row_of));
+  for (int v = begin; v < end; ++v) out[v - begin] = out_row(v);
   ellipse.widen(out, end - begin);
 }
 

@@ -104,17 +104,18 @@ class EllipseRows {
  public:
   /// Elements higher than this are left to LargeEllipse.
   static constexpr int kHeightMax_px = 31;
-  /// Rows made together; a row alone would wait for its own last store at every step.
+  /// Rows made together, an even number; a row alone would wait for its own last store at every step.
   static constexpr int kBatch = 4;
 
   [[nodiscard]] static std::size_t bytes_needed(int width, const StructuringElement& element) noexcept;
 
   EllipseRows(Order order, int width, const std::vector<Reach>& rectangles, std::uint8_t* work) noexcept;
 
-  /// Takes a row of the batch; then widen() makes them.
-  /// @param slot  0 to kBatch - 1.
-  /// @param rows  the middle row, then the rows above and below it in pairs, going outwards, reach_v() pairs. Where the
-  ///              plane has no such row, the middle row stands in: it is under the element anyway.
+  /// Takes two rows of the batch; widen() then makes all of it.
+  /// @param slot  of the upper row: 0, 2, ...
+  /// @param rows  the two middle rows; then, going outwards, the row above the upper and the row below the lower one,
+  ///              reach_v() times. Where the plane has no such row, the nearer middle stands in: it is under both
+  ///              elements anyway.
   void stack(int slot, const std::uint8_t* const* rows) const noexcept;
   /// @param out  where to write the rows of the batch.
   void widen(std::uint8_t* const* out, int count) const noexcept;

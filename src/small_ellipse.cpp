@@ -75,9 +75,13 @@ void EllipseRows::add_widening(int reach_u, const std::uint8_t* also) noexcept {
 }
 
 void EllipseRows::stack(int slot, const std::uint8_t* const* rows) const noexcept {
-  std::uint8_t* to[kRectanglesMax];
-  for (int j = 0; j < count_; ++j) to[j] = window_[j] + static_cast<std::size_t>(slot) * pitch_;
-  order_.loops.stack(rows, reach_, count_, to, width_);
+  std::uint8_t* upper[kRectanglesMax];
+  std::uint8_t* lower[kRectanglesMax];
+  for (int j = 0; j < count_; ++j) {
+    upper[j] = window_[j] + static_cast<std::size_t>(slot) * pitch_;
+    lower[j] = upper[j] + pitch_;
+  }
+  order_.loops.stack(rows, reach_, count_, upper, lower, width_);
 }
 
 void EllipseRows::widen(std::uint8_t* const* out, int count) const noexcept {

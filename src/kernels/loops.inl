@@ -25,7 +25,13 @@ inline void along(int width, PerVector per_vector, PerColumn per_column) {
     for (int x = 0; x < width; ++x) per_column(x);
     return;
   }
-  int x = 0;
+  std::ptrdiff_t x = 0;
+  for (; x + 4 * kLanes <= width; x += 4 * kLanes) {
+    per_vector(x);
+    per_vector(x + kLanes);
+    per_vector(x + 2 * kLanes);
+    per_vector(x + 3 * kLanes);
+  }
   for (; x + kLanes <= width; x += kLanes) per_vector(x);
   if (x < width) per_vector(width - kLanes);
 }
@@ -33,20 +39,20 @@ inline void along(int width, PerVector per_vector, PerColumn per_column) {
 template <class Order>
 void join(const std::uint8_t* a, const std::uint8_t* b, std::uint8_t* out, int width) {
   along(
-      width, [&](int x) { store(out + x, Order::of(load(a + x), load(b + x))); },
-      [&](int x) { out[x] = Order::of(a[x], b[x]); });
+      width, [&](std::ptrdiff_t x) { store(out + x, Order::of(load(a + x), load(b + x))); },
+      [&](std::ptrdiff_t x) { out[x] = Order::of(a[x], b[x]); });
 }
 
 template <class Order>
 void fold(const std::uint8_t* row, std::uint8_t* running, const std::uint8_t* suffix, std::uint8_t* out, int width) {
   along(
       width,
-      [&](int x) {
+      [&](std::ptrdiff_t x) {
         const Bytes best = Order::of(load(running + x), load(row + x));
         store(running + x, best);
         store(out + x, Order::of(best, load(suffix + x)));
       },
-      [&](int x) {
+      [&](std::ptrdiff_t x) {
         running[x] = Order::of(running[x], row[x]);
         out[x] = Order::of(running[x], suffix[x]);
       });
@@ -59,53 +65,82 @@ void spread(const std::uint8_t* in, int shift, const std::uint8_t* also, std::ui
   if (also == nullptr) {
     along(
         width,
-        [&](int x) { store(out + x, Order::of(Order::of(load(left + x), load(right + x)), load(in + x))); },
-        [&](int x) { out[x] = Order::of(Order::of(left[x], right[x]), in[x]); });
+        [&](std::ptrdiff_t x) { store(out + x, Order::of(Order::of(load(left + x), load(right + x)), load(in + x))); },
+        [&](std::ptrdiff_t x) { out[x] = Order::of(Order::of(left[x], right[x]), in[x]); });
     return;
   }
   along(
       width,
-      [&](int x) {
+      [&](std::ptrdiff_t x) {
         store(out + x, Order::of(Order::of(load(left + x), load(right + x)), Order::of(load(in + x), load(also + x))));
       },
-      [&](int x) { out[x] = Order::of(Order::of(left[x], right[x]), Order::of(in[x], also[x])); });
+      [&](std::ptrdiff_t x) { out[x] = Order::of(Order::of(left[x], right[x]), Order::of(in[x], also[x])); });
 }
 
-// kVectors vectors side by side, so that a row's address is fetched once for all of them.
+// kVectors vectors side by side, so that a row's address is fetched once for all of them. `common` holds the rows that
+// the windows of both middles have in common.
 template <class Order, int kVectors>
-inline void stack_columns(const std::uint8_t* const* rows, const int* reach, int count, std::uint8_t* const* out,
-                          int x) {
+inline void stack_columns(const std::uint8_t* const* rows, const int* reach, int count, std::uint8_t* const* out_upper,
+                          std::uint8_t* const* out_lower, std::ptrdiff_t x) {
   constexpr int kLanes = Bytes::kLanes;
-  Bytes best[kVectors];
-  for (int i = 0; i < kVectors; ++i) best[i] = load(rows[0] + x + i * kLanes);
-  int dv = 1;
-  for (int j = 0; j < count; ++j) {
-    for (; dv <= reach[j]; ++dv) {
-      const std::uint8_t* above = rows[2 * dv - 1] + x;
-      const std::uint8_t* below = rows[2 * dv] + x;
-      for (int i = 0; i < kVectors; ++i) {
-        best[i] = Order::of(best[i], Order::of(load(above + i * kLanes), load(below + i * kLanes)));
-      }
+  const auto at = [&](const std::uint8_t* row, int i) { return load(row + x + i * kLanes); };
+  Bytes common[kVectors];
+  for (int i = 0; i < kVectors; ++i) common[i] = Order::of(at(rows[0], i), at(rows[1], i));
+  const std::uint8_t* const* pair = rows + 2;
+  int j = 0;
+  if (reach[0] == 0) {
+    for (int i = 0; i < kVectors; ++i) {
+      store(out_upper[0] + x + i * kLanes, at(rows[0], i));
+      store(out_lower[0] + x + i * kLanes, at(rows[1], i));
     }
-    for (int i = 0; i < kVectors; ++i) store(out[j] + x + i * kLanes, best[i]);
+    j = 1;
+  }
+  for (; j < count; ++j) {
+    for (const std::uint8_t* const* last = rows + 2 * reach[j]; pair < last; pair += 2) {
+      for (int i = 0; i < kVectors; ++i) common[i] = Order::of(common[i], Order::of(at(pair[0], i), at(pair[1], i)));
+    }
+    for (int i = 0; i < kVectors; ++i) {
+      const Bytes below = at(pair[1], i);
+      const Bytes upper = Order::of(common[i], at(pair[0], i));
+      store(out_upper[j] + x + i * kLanes, upper);
+      store(out_lower[j] + x + i * kLanes, Order::of(common[i], below));
+      common[i] = Order::of(upper, below);
+    }
+    pair += 2;
   }
 }
 
 template <class Order>
-void stack(const std::uint8_t* const* rows, const int* reach, int count, std::uint8_t* const* out, int width) {
+void stack(const std::uint8_t* const* rows, const int* reach, int count, std::uint8_t* const* out_upper,
+           std::uint8_t* const* out_lower, int width) {
   constexpr int kVectors = 4;
   constexpr int kStep = kVectors * Bytes::kLanes;
   int x = 0;
-  for (; x + kStep <= width; x += kStep) stack_columns<Order, kVectors>(rows, reach, count, out, x);
+  for (; x + kStep <= width; x += kStep) {
+    stack_columns<Order, kVectors>(rows, reach, count, out_upper, out_lower, x);
+  }
+  for (; x + Bytes::kLanes <= width; x += Bytes::kLanes) {
+    stack_columns<Order, 1>(rows, reach, count, out_upper, out_lower, x);
+  }
   if (x == width) return;
-  if (width >= kStep) return stack_columns<Order, kVectors>(rows, reach, count, out, width - kStep);
-  for (; x + Bytes::kLanes <= width; x += Bytes::kLanes) stack_columns<Order, 1>(rows, reach, count, out, x);
+  if (width >= Bytes::kLanes) {
+    return stack_columns<Order, 1>(rows, reach, count, out_upper, out_lower, width - Bytes::kLanes);
+  }
   for (; x < width; ++x) {
-    std::uint8_t best = rows[0][x];
+    std::uint8_t common = Order::of(rows[0][x], rows[1][x]);
     int dv = 1;
-    for (int j = 0; j < count; ++j) {
-      for (; dv <= reach[j]; ++dv) best = Order::of(best, Order::of(rows[2 * dv - 1][x], rows[2 * dv][x]));
-      out[j][x] = best;
+    int j = 0;
+    if (reach[0] == 0) {
+      out_upper[0][x] = rows[0][x];
+      out_lower[0][x] = rows[1][x];
+      j = 1;
+    }
+    for (; j < count; ++j) {
+      for (; dv < reach[j]; ++dv) common = Order::of(common, Order::of(rows[2 * dv][x], rows[2 * dv + 1][x]));
+      out_upper[j][x] = Order::of(common, rows[2 * dv][x]);
+      out_lower[j][x] = Order::of(common, rows[2 * dv + 1][x]);
+      common = Order::of(out_upper[j][x], rows[2 * dv + 1][x]);
+      ++dv;
     }
   }
 }
@@ -115,12 +150,12 @@ void gather(const std::uint8_t* const* left, const std::uint8_t* const* right, i
             int width) {
   along(
       width,
-      [&](int x) {
+      [&](std::ptrdiff_t x) {
         Bytes best = Order::of(load(left[0] + x), load(right[0] + x));
         for (int i = 1; i < count; ++i) best = Order::of(best, Order::of(load(left[i] + x), load(right[i] + x)));
         store(out + x, best);
       },
-      [&](int x) {
+      [&](std::ptrdiff_t x) {
         std::uint8_t best = Order::of(left[0][x], right[0][x]);
         for (int i = 1; i < count; ++i) best = Order::of(best, Order::of(left[i][x], right[i][x]));
         out[x] = best;

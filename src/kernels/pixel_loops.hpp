@@ -18,9 +18,11 @@ struct OrderLoops {
                int width);
   /// out[x] = best(in[x - shift], in[x], in[x + shift]), and also[x] where `also` is given. `out` is another row.
   void (*spread)(const std::uint8_t* in, int shift, const std::uint8_t* also, std::uint8_t* out, int width);
-  /// Nested vertical windows in one go: out[j][x] = best over the first 1 + 2 * reach[j] of `rows`, which begin with
-  /// the middle row and go on outwards in pairs. `reach` rises.
-  void (*stack)(const std::uint8_t* const* rows, const int* reach, int count, std::uint8_t* const* out, int width);
+  /// Nested vertical windows of two neighbouring middles in one go. `rows` begins with the two middles; then, going
+  /// outwards, the row above the upper one and the row below the lower one, and so on. out_upper[j][x] is the best over
+  /// the 1 + 2 * reach[j] rows about the upper middle; out_lower the same for the lower. `reach` rises.
+  void (*stack)(const std::uint8_t* const* rows, const int* reach, int count, std::uint8_t* const* out_upper,
+                std::uint8_t* const* out_lower, int width);
   /// out[x] = best over i of left[i][x] and right[i][x]. count >= 1.
   void (*gather)(const std::uint8_t* const* left, const std::uint8_t* const* right, int count, std::uint8_t* out,
                  int width);

@@ -53,6 +53,9 @@ ExitCode run(int argc, char** argv) {
   ExitCode exit_code = adit::tools::kSuccess;
   adit::tools::add_run(app, exit_code);
   adit::tools::add_explain(app, exit_code);
+#ifdef ADIT_WITH_SIM
+  adit::tools::add_fly(app, exit_code);
+#endif
   adit::tools::add_bench(app, exit_code);
   adit::tools::add_config(app, exit_code);
   try {

@@ -6,5 +6,6 @@ target_sources(adit_sim PRIVATE
   flight/lidar.cpp
   flight/network.cpp
   flight/occupancy.cpp
+  flight/rendered_eye.cpp
   flight/truth.cpp
   flight/vehicle.cpp)

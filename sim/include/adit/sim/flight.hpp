@@ -121,6 +121,7 @@ class Flight {
   [[nodiscard]] const VehicleState& vehicle() const noexcept { return vehicle_.state(); }
   [[nodiscard]] const OccupancyGrid& map() const noexcept { return map_; }
   [[nodiscard]] const Network& network() const noexcept { return network_; }
+  [[nodiscard]] const Camera& camera() const { return eye_->camera(); }
   [[nodiscard]] const FlightSettings& settings() const noexcept { return settings_; }
 
   /// Sensors of the last interval, for who wants to keep them: swept and sampled only after record_sensors(true).

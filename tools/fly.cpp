@@ -1,0 +1,134 @@
+// `adit fly`: the robot flies a course or a world, closed loop, on what it sees.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <numeric>
+#include <thread>
+
+#include "adit/io/errors.hpp"
+#include "fly_runs.hpp"
+#include "fly_setup.hpp"
+#include "interrupt.hpp"
+#include "progress.hpp"
+#include "subcommands.hpp"
+
+namespace adit::tools {
+namespace {
+
+struct Options {
+  FlyOptions fly;
+  FlyWork work;
+  std::uint64_t seed = 1;
+  int runs = 0;
+  std::string seeds;
+};
+
+/// "3..17"
+std::vector<std::uint64_t> seeds_of(const Options& options) {
+  std::uint64_t first = options.seed, last = options.seed;
+  if (!options.seeds.empty()) {
+    unsigned long long a = 0, b = 0;
+    int read = 0;
+    if (std::sscanf(options.seeds.c_str(), "%llu..%llu%n", &a, &b, &read) != 2 ||
+        static_cast<std::size_t>(read) != options.seeds.size() || b < a || b - a >= 100000)
+      throw CLI::ValidationError("--seeds", "'" + options.seeds + "' is not A..B with A <= B, 100000 at the most");
+    first = a;
+    last = b;
+  } else if (options.runs > 0) {
+    last = first + static_cast<std::uint64_t>(options.runs) - 1;
+  }
+  std::vector<std::uint64_t> seeds(last - first + 1);
+  std::iota(seeds.begin(), seeds.end(), first);
+  return seeds;
+}
+
+void add_world_options(CLI::App& fly, FlyOptions& options) {
+  fly.add_option("course", options.course, "One of courses/*.yaml, by name or file")->type_name("COURSE");
+  fly.add_option("--world", options.world_file, "Instead: .world, .sdf, or a mesh (.stl .obj .dae .ply)")
+      ->type_name("FILE");
+  fly.add_option("--start", options.start, "Where to begin, over the floor")
+      ->type_name("X,Y,Z,YAW_DEG")
+      ->delimiter(',')
+      ->expected(4);
+  fly.add_option("--models", options.models, "Where model://NAME is looked for; repeatable")
+      ->type_name("DIR")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  fly.add_option("--mesh-scale", options.mesh_scale, "Metres per unit of a mesh (1)")
+      ->type_name("M")
+      ->check(CLI::Range(1e-6, 1e6));
+  fly.add_option("--mesh-up", options.mesh_up, "Axis of a mesh that points up: x, y, z, file")
+      ->type_name("AXIS")
+      ->check(CLI::IsMember({"file", "x", "y", "z"}));
+  fly.add_flag("--world-lights", options.world_lights, "Keep the world file's lights as lamps");
+}
+
+void add_flight_options(CLI::App& fly, Options& options) {
+  std::string lamps;
+  for (const std::string& name : sim::rig_preset_names()) lamps += (lamps.empty() ? "" : ", ") + name;
+  fly.add_option("--lamp", options.fly.lamp, "Lamp and camera: " + lamps)->type_name("PRESET");
+  fly.add_option("--dust", options.fly.dust_1_m, "Extinction, 0 to 0.5 1/m")
+      ->type_name("1/M")
+      ->check(CLI::Range(0.0, 0.5));
+  fly.add_option("--speed", options.fly.speed_m_s, "Forward speed (1)")
+      ->type_name("M/S")
+      ->check(CLI::Range(0.05, 10.0));
+  fly.add_option("--time", options.fly.time_s, "At the most (120)")->type_name("S")->check(CLI::Range(0.1, 36000.0));
+  fly.add_option("--method", options.fly.method, "Chain of stages: paper")->type_name("NAME");
+  fly.add_option("--config", options.fly.config_file, "Settings by section; see docs/simulation.md")
+      ->type_name("FILE.yaml");
+  fly.add_option("--set", options.fly.settings, "One setting, over those of --config; repeatable")
+      ->type_name("KEY=VALUE")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+void add_work_options(CLI::App& fly, Options& options) {
+  fly.add_option("--out", options.work.out, "Folder for flight.csv, summary.json, map.png, figures")->type_name("DIR");
+  fly.add_flag("--video", options.work.film, "Also the film, with overlay: flight.mp4");
+  fly.add_option("--still", options.work.stills_s, "Also the picture at this time; repeatable")
+      ->type_name("S")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  fly.add_flag("--sensors", options.work.sensors, "Also imu.csv and scans.csv");
+  fly.add_option("--seed", options.seed, "Of start, gusts and noise (1)")->type_name("N");
+  fly.add_option("--runs", options.runs, "Fly with so many seeds; a table and the success rate")
+      ->type_name("N")
+      ->check(CLI::Range(1, 100000));
+  fly.add_option("--seeds", options.seeds, "The same with these seeds")->type_name("A..B");
+  fly.add_option("--jobs", options.work.jobs, "Flights at once (all cores)")->type_name("N")->check(CLI::Range(1, 256));
+  fly.add_flag("--quiet", options.work.quiet, "No progress, no summary");
+}
+
+ExitCode run(Options& options) {
+  if (options.fly.course.empty() == options.fly.world_file.empty())
+    throw CLI::RequiredError("one of COURSE and --world");
+  if (options.work.out.empty() && (options.work.film || options.work.sensors || !options.work.stills_s.empty()))
+    throw CLI::RequiredError("--out (for --video, --still and --sensors)");
+  options.work.seeds = seeds_of(options);
+  options.work.name =
+      std::filesystem::path(options.fly.course.empty() ? options.fly.world_file : options.fly.course).stem().string();
+  watch_signals();
+  const FlySettings settings = fly_settings_of(options.fly);
+  const Site site = site_of(options.fly, settings);
+  for (const std::string& note : site.world.notes)
+    if (!options.work.quiet) print_line("adit: " + note);
+  const bool many = options.runs > 0 || !options.seeds.empty();
+  return many ? fly_many(options.work, settings, site) : fly_once(options.work, settings, site);
+}
+
+}  // namespace
+
+void add_fly(CLI::App& app, ExitCode& exit_code) {
+  CLI::App* fly = app.add_subcommand("fly", "Fly a tunnel in simulation on what the camera shows");
+  auto options = std::make_shared<Options>();
+  options->work.jobs = static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1u, 256u));
+  add_world_options(*fly, options->fly);
+  add_flight_options(*fly, *options);
+  add_work_options(*fly, *options);
+  fly->footer("Example: adit fly s_bend --out flight --video");
+  fly->callback([options, &exit_code] { exit_code = run(*options); });
+}
+
+}  // namespace adit::tools

@@ -1,0 +1,32 @@
+// Many flights of the same kind: seeds shared out over all cores, a line a flight, a rate with its interval.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "exit_code.hpp"
+#include "fly_setup.hpp"
+
+namespace adit::tools {
+
+/// How `adit fly` works, apart from what it flies.
+struct FlyWork {
+  std::string out;  ///< folder; "" for none
+  bool film = false;
+  bool sensors = false;
+  bool quiet = false;
+  std::vector<double> stills_s;
+  std::vector<std::uint64_t> seeds;
+  int jobs = 1;
+  std::string name;  ///< of course or world
+};
+
+/// One flight, with everything it leaves behind.
+[[nodiscard]] ExitCode fly_once(const FlyWork& work, const FlySettings& settings, const Site& site);
+
+/// One flight for each seed; prints a table, and with a folder writes runs.csv, runs.json and a folder a seed.
+[[nodiscard]] ExitCode fly_many(const FlyWork& work, const FlySettings& settings, const Site& site);
+
+}  // namespace adit::tools

@@ -176,9 +176,11 @@ void print_table(const std::vector<Flown>& runs, const sim::Rate& rate, sim::Out
                 shown(s.heading_error_deepest_deg.median, "%.1f").c_str(), shown(s.sx_jitter, "%.3f").c_str(),
                 shown(s.found_fraction, "%.3f").c_str());
   }
-  std::printf("%d of %d %s: %.0f %% (95 %% interval %.0f to %.0f %%)\n", rate.successes, rate.trials,
-              has_goal ? "reached the goal" : "were flying when the time was over", 100.0 * rate.rate, 100.0 * rate.low,
-              100.0 * rate.high);
+  const char* success = aim == sim::Outcome::kGoal      ? "reached the goal"
+                        : aim == sim::Outcome::kStopped ? "stopped before the end of the drift"
+                                                        : "were flying when the time was over";
+  std::printf("%d of %d %s: %.0f %% (95 %% interval %.0f to %.0f %%)\n", rate.successes, rate.trials, success,
+              100.0 * rate.rate, 100.0 * rate.low, 100.0 * rate.high);
 }
 
 sim::FlightSettings seeded(const FlySettings& settings, std::uint64_t seed) {

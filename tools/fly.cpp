@@ -84,20 +84,25 @@ void add_flight_options(CLI::App& fly, Options& options) {
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
+/// The page holds 30 lines: --still, --sensors and --jobs stand in the manual alone.
 void add_work_options(CLI::App& fly, Options& options) {
   fly.add_option("--out", options.work.out, "Folder for flight.csv, summary.json, map.png, figures")->type_name("DIR");
   fly.add_flag("--video", options.work.film, "Also the film, with overlay: flight.mp4");
-  fly.add_option("--still", options.work.stills_s, "Also the picture at this time; repeatable")
+  fly.add_option("--still", options.work.stills_s, "Also the picture at this time
+      ->group(""); repeatable")
       ->type_name("S")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  fly.add_flag("--sensors", options.work.sensors, "Also imu.csv and scans.csv");
+  fly.add_flag("--sensors", options.work.sensors, "Also imu.csv and scans.csv")->group("");
   fly.add_option("--seed", options.seed, "Of start, gusts and noise (1)")->type_name("N");
   fly.add_option("--runs", options.runs, "Fly with so many seeds; a table and the success rate")
       ->type_name("N")
       ->check(CLI::Range(1, 100000));
   fly.add_option("--seeds", options.seeds, "The same with these seeds")->type_name("A..B");
-  fly.add_option("--jobs", options.work.jobs, "Flights at once (all cores)")->type_name("N")->check(CLI::Range(1, 256));
+  fly.add_option("--jobs", options.work.jobs, "Flights at once (all cores)")
+      ->type_name("N")
+      ->check(CLI::Range(1, 256))
+      ->group("");
   fly.add_flag("--quiet", options.work.quiet, "No progress, no summary");
 }
 

@@ -97,12 +97,13 @@ constexpr const char* kRunsHeader =
 std::string cell(double value, const char* format) { return std::isfinite(value) ? shown(value, format) : ""; }
 
 std::string runs_line(const sim::FlightSummary& s) {
-  std::string line = std::to_string(s.seed) + "," + std::string(to_string(s.outcome));
+  std::string line = std::to_string(s.seed);
+  line.append(",").append(to_string(s.outcome));
   for (const double value :
        {s.duration_s, s.distance_m, s.progress_m, s.side_clearance_min_m, s.clearance_min_m,
         s.heading_error_passage_deg.median, s.heading_error_passage_deg.p95, s.heading_error_deepest_deg.median,
         s.heading_error_deepest_deg.p95, s.sx_jitter, s.found_fraction})
-    line += "," + cell(value, "%.4f");
+    line.append(",").append(cell(value, "%.4f"));
   return line + "," + std::to_string(s.false_stops) + "," + std::to_string(s.missed_stops) + "\n";
 }
 

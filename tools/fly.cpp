@@ -88,11 +88,11 @@ void add_flight_options(CLI::App& fly, Options& options) {
 void add_work_options(CLI::App& fly, Options& options) {
   fly.add_option("--out", options.work.out, "Folder for flight.csv, summary.json, map.png, figures")->type_name("DIR");
   fly.add_flag("--video", options.work.film, "Also the film, with overlay: flight.mp4");
-  fly.add_option("--still", options.work.stills_s, "Also the picture at this time
-      ->group(""); repeatable")
+  fly.add_option("--still", options.work.stills_s, "Also the picture at this time, repeatable")
       ->type_name("S")
       ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->group("");
   fly.add_flag("--sensors", options.work.sensors, "Also imu.csv and scans.csv")->group("");
   fly.add_option("--seed", options.seed, "Of start, gusts and noise (1)")->type_name("N");
   fly.add_option("--runs", options.runs, "Fly with so many seeds; a table and the success rate")

@@ -45,12 +45,12 @@ copy_figure() { cp "$1.png" "$figures/$2.png" && cp "$1.svg" "$figures/$2.svg"; 
 
 # Fig. 3: the paper's own run where its world is there, else our copy of its layout.
 if [ -f "$practice" ]; then
-  flight fig3 --world "$practice" --models "$models" --time 300 && copy_figure "$work/figures/fig3/fig3" fig3
+  flight fig3 --world "$practice" --models "$models" --time 300 "${small[@]}" && copy_figure "$work/figures/fig3/fig3" fig3
 else
-  flight fig3 practice_2 --time 300 && copy_figure "$work/figures/fig3/fig3" fig3
+  flight fig3 practice_2 --time 300 "${small[@]}" && copy_figure "$work/figures/fig3/fig3" fig3
 fi
 # Fig. 4: the S-bend at the paper's speed.
-flight fig4 s_bend --speed 0.2 --time 300 && copy_figure "$work/figures/fig4/fig4" fig4
+flight fig4 s_bend --speed 0.2 --time 300 "${small[@]}" && copy_figure "$work/figures/fig4/fig4" fig4
 # Fig. 5: extra lamp and dust in the wide, extra lamp in the narrow, the narrow as it is.
 flight fig5a lit_wide --time 12 --still 10
 flight fig5b wide_8m --dust 0.1 --time 12 --still 10

@@ -53,8 +53,7 @@ void add_world_options(CLI::App& fly, FlyOptions& options) {
       ->expected(4);
   fly.add_option("--models", options.models, "Where model://NAME is looked for; repeatable")
       ->type_name("DIR")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+      ->allow_extra_args(false);
   fly.add_option("--mesh-scale", options.mesh_scale, "Metres per unit of a mesh (1)")
       ->type_name("M")
       ->check(CLI::Range(1e-6, 1e6));
@@ -80,8 +79,7 @@ void add_flight_options(CLI::App& fly, Options& options) {
       ->type_name("FILE.yaml");
   fly.add_option("--set", options.fly.settings, "One setting, over those of --config; repeatable")
       ->type_name("KEY=VALUE")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+      ->allow_extra_args(false);
 }
 
 /// The page holds 30 lines: --still, --sensors and --jobs stand in the manual alone.
@@ -90,8 +88,7 @@ void add_work_options(CLI::App& fly, Options& options) {
   fly.add_flag("--video", options.work.film, "Also the film, with overlay: flight.mp4");
   fly.add_option("--still", options.work.stills_s, "Also the picture at this time, repeatable")
       ->type_name("S")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->allow_extra_args(false)
       ->group("");
   fly.add_flag("--sensors", options.work.sensors, "Also imu.csv and scans.csv")->group("");
   fly.add_option("--seed", options.seed, "Of start, gusts and noise (1)")->type_name("N");

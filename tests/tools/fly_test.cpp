@@ -103,6 +103,7 @@ TEST(Fly, FaultsAreOneLineAndNameWhatIsWrong) {
       {{"fly", "s_bend", "--set", "speed_m_s=-1"}, 3, "out of range"},
       {{"fly", "s_bend", "--lamp", "candle"}, 3, "flood_460lux"},
       {{"fly", "s_bend", "--video"}, 2, "--out"},
+      {{"fly", "--set", "speed_m_s=1", "nowhere"}, 4, "nowhere"},
       {{"fly", "s_bend", "--seeds", "9..3"}, 2, "A..B"},
       {{"fly", "s_bend", "--start", "2,0,0,0", "--set", "course.cell_m=0.3", "--set", "body_radius_m=2"},
        3,

@@ -34,8 +34,8 @@ kernels::BrightTail brightest_of(ConstPlaneView dark, double fraction) {
   const double pixels = static_cast<double>(dark.width) * dark.height;
   kernels::BrightTail tail;
   tail.wanted = static_cast<std::uint64_t>(std::max(1.0, std::ceil(fraction * pixels)));
-  // Every 16th row first: the floor then stands near its final place, and of the rest little has to be counted.
-  constexpr int kRowStep = 16;
+  // Every 64th row first: the floor then stands near its final place, and of the rest little has to be counted.
+  constexpr int kRowStep = 64;
   for (int first = 0; first < kRowStep; ++first) {
     for (int v = first; v < dark.height; v += kRowStep) {
       kernels::pixel_loops().count_tail(dark.row(v), dark.width, &tail);

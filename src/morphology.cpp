@@ -1,6 +1,7 @@
 #include "adit/morphology.hpp"
 
 #include <algorithm>
+#include <bit>
 
 #include "morphology_passes.hpp"
 
@@ -17,8 +18,11 @@ bool is_small(const StructuringElement& element) { return element.height() <= El
 
 std::size_t plane_pitch(int width) { return AlignedBytes::rounded_up(static_cast<std::size_t>(width)); }
 
-// Dilated rows that are kept: those under the element for a batch of rows, and what a batch may run ahead.
-int ring_rows(const StructuringElement& element) { return element.height() + 2 * EllipseRows::kBatch; }
+// Dilated rows that are kept: those under the element for a batch of rows, and what a batch may run ahead. A power of
+// two: rows are looked up so often that a division would be felt.
+int ring_rows(const StructuringElement& element) {
+  return static_cast<int>(std::bit_ceil(static_cast<unsigned>(element.height() + 2 * EllipseRows::kBatch)));
+}
 
 PlaneView scratch_plane(ConstPlaneView like, MorphologyScratch::Buffers& buffers) {
   return {buffers.plane.get(), like.width, like.height, static_cast<std::ptrdiff_t>(plane_pitch(like.width))};
@@ -80,9 +84,9 @@ void close_small(ConstPlaneView in, const StructuringElement& element, PlaneView
   const EllipseRows erosion(smallest_order(), in.width, buffers.rectangles, second);
   const auto in_row = [&](int v) { return in.row(v); };
   const auto out_row = [&](int v) { return out.row(v); };
-  const auto dilated_row = [&](int v) {
-    return buffers.plane.get() + static_cast<std::size_t>(v % ring_rows(element)) * plane_pitch(in.width);
-  };
+  const int mask = ring_rows(element) - 1;
+  const std::size_t pitch = plane_pitch(in.width);
+  const auto dilated_row = [&](int v) { return buffers.plane.get() + static_cast<std::size_t>(v & mask) * pitch; };
   int dilated = 0;
   for (int v = 0; v < in.height; v += EllipseRows::kBatch) {
     const int end = std::min(v + EllipseRows::kBatch, in.height);

@@ -64,7 +64,7 @@ void bench(const BenchOptions& options) {
   if (!options.target.empty()) force_target(options.target);
   const BenchFigures figures = measure(subject_of(options));
   if (!options.json_file.empty()) io::write_file(options.json_file, json_of(figures));
-  if (options.json_file != "-") std::fputs(table_of(figures).c_str(), stdout);
+  if (options.json_file != "-") io::write_file("-", table_of(figures));
 }
 
 }  // namespace
@@ -76,7 +76,7 @@ void add_bench(CLI::App& app, ExitCode& exit_code) {
       ->type_name("N")
       ->check(CLI::Range(0.05, 3600.0).description(""));
   bench_app->add_option("--json", options->json_file, "All figures as JSON; - is stdout")->type_name("FILE");
-  bench_app->add_option("--input", options->input, "The frame [a drawn tunnel]; noise: the worst case")
+  bench_app->add_option("--input", options->input, "The frame [a drawn tunnel]; noise: a frame of noise")
       ->type_name("IMAGE");
   bench_app->add_option("--size", options->size, "Resize the frame first")->type_name("WxH");
   bench_app->add_option("--target", options->target, "CPU target of the pixel loops [the best]")->type_name("NAME");

@@ -64,7 +64,7 @@ std::string table_of(const BenchFigures& f) {
   text += row("copy of the frame (memcpy)", f.copy);
   text += row("strong OpenCV chain", f.strong);
   text += row("OpenCV chain", f.opencv);
-  text += row("frame of noise (worst case)", f.noise);
+  text += row("frame of noise", f.noise);
   text += row("frame of 3840 x 2160, 101 px", f.frame_4k);
   for (const auto& [name, samples] : f.targets) text += row("target " + name, samples);
   text += "\n";

@@ -1,9 +1,8 @@
 // `adit config`: every setting with its default, as a file that --config reads.
 #include <CLI/CLI.hpp>
-#include <cstdio>
 #include <memory>
 
-#include "adit/io/errors.hpp"
+#include "adit/io/output_file.hpp"
 #include "finder_options.hpp"
 #include "subcommands.hpp"
 #include "version.hpp"
@@ -15,8 +14,7 @@ void print_configuration(const FinderOptions& options) {
   const std::string yaml = "# Settings of adit " ADIT_VERSION
                            ". Change what you need, drop the rest, and pass the file with --config.\n\n" +
                            io::to_yaml(configuration_of(options));
-  const bool written = std::fwrite(yaml.data(), 1, yaml.size(), stdout) == yaml.size();
-  if (!written || std::fflush(stdout) != 0) throw io::OutputError("standard output: cannot be written");
+  io::write_file("-", yaml);
 }
 
 }  // namespace

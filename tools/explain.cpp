@@ -10,6 +10,8 @@
 #include "adit/io/output_file.hpp"
 #include "adit/io/panel.hpp"
 #include "finder_options.hpp"
+#include "grey16_doubt.hpp"
+#include "progress.hpp"
 #include "subcommands.hpp"
 
 namespace adit::tools {
@@ -50,6 +52,9 @@ void explain(const ExplainOptions& options) {
     throw io::OutputError(output.string() + ": OpenCV cannot make a " + extension + " of the panel");
   }
   io::write_file(output, {reinterpret_cast<const char*>(file.data()), file.size()});
+  if (const std::string doubt = grey16_doubt(subject.frame, config.grey16_depth_bits); !doubt.empty()) {
+    print_line("adit: " + options.image + ": " + doubt);
+  }
   if (output == "-") return;
   const OpenSpace& seen = subject.open_space;
   std::printf("%s: %s, confidence %.2f; panel in %s\n", options.image.c_str(),
@@ -61,7 +66,7 @@ void explain(const ExplainOptions& options) {
 void add_explain(CLI::App& app, ExitCode& exit_code) {
   CLI::App* explain_app = app.add_subcommand("explain", "Draw every stage for one image, in one labelled panel");
   auto options = std::make_shared<ExplainOptions>();
-  explain_app->add_option("IMAGE", options->image, "png, jpg, bmp, tif, pgm or ppm")->required();
+  explain_app->add_option("IMAGE", options->image, "png, jpg, bmp, tif, pgm or ppm")->required()->type_name("IMAGE");
   explain_app
       ->add_option("-o,--output", options->output, "Where the panel goes [IMAGE's name + -explained.png]; - is stdout")
       ->type_name("FILE.png");

@@ -7,6 +7,7 @@
 #include "adit/io/draw.hpp"
 #include "adit/io/image_file.hpp"
 #include "finder_options.hpp"
+#include "grey16_doubt.hpp"
 #include "steady_command.hpp"
 
 namespace adit::tools {
@@ -70,6 +71,7 @@ void FrameLine::judge(FrameWork& work, int worker) {
   OpenSpaceFinder& finder = finders_[static_cast<std::size_t>(worker)];
   work.open_space = settings_.wants_panel ? finder.explain(view, work.stages) : finder.find(view);
   work.why = why_not_judged(work, settings_.camera);
+  work.doubt = grey16_doubt(work.frame.pixels, settings_.configuration.finder.grey16_depth_bits);
 }
 
 void FrameLine::steer(FrameWork& work) {

@@ -25,6 +25,7 @@ struct FrameWork {
   std::int64_t number = 0;              ///< over all sources
   std::optional<OpenSpace> open_space;  ///< nothing: unreadable
   std::string why;                      ///< why there is no answer: unreadable, no frame, not of the camera's size
+  std::string doubt;                    ///< what may be wrong with a frame that was judged
   StageImages stages;
   std::optional<HeadingCommand> command;
   cv::Mat panel;                   ///< frame and depth map, if a video is wanted

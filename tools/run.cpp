@@ -101,6 +101,10 @@ class Run {
         mismatch_told_ = true;
         progress_.say("adit: " + work.frame.source + ": " + work.why + " (told once; see the column message)");
       }
+      if (!work.doubt.empty() && !doubt_told_ && !options_.quiet) {
+        doubt_told_ = true;
+        progress_.say("adit: " + work.frame.source + ": " + work.doubt + " (told once)");
+      }
     } else {
       tally_.add_unreadable();
       progress_.say("adit: " + work.why);
@@ -148,6 +152,7 @@ class Run {
   std::vector<std::string> early_ends_;
   std::int64_t pushed_ = 0;
   bool mismatch_told_ = false;
+  bool doubt_told_ = false;
   FrameLine line_;  ///< last: it calls back into the others
 };
 

@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <opencv2/imgcodecs.hpp>
+
 #include "program.hpp"
 #include "scratch_folder.hpp"
 
@@ -119,6 +122,38 @@ TEST(RunFaults, FrameThatIsTooSmall) {
   const Outcome outcome = run_adit({"run", tiny, good});
   EXPECT_EQ(outcome.exit_code, 5);
   EXPECT_EQ(rows_of(outcome.out)[1][3], "bad_frame");
+}
+
+TEST(RunFaults, SixteenBitFrameOfASensorWithFewerBitsIsToldOnce) {
+  const ScratchFolder folder;
+  const cv::Mat grey = cv::imread(make_passage(folder / "a.png"), cv::IMREAD_GRAYSCALE);
+  cv::Mat grey12;
+  grey.convertTo(grey12, CV_16U, 16.0);
+  const std::string first = (folder / "12.png").string(), second = (folder / "12b.png").string();
+  cv::imwrite(first, grey12);
+  cv::imwrite(second, grey12);
+  const Outcome doubted = run_adit({"run", first, second});
+  const std::string advice = "if the sensor has 12 bits, --set grey16_depth_bits=12";
+  EXPECT_EQ(doubted.exit_code, 0);
+  EXPECT_NE(doubted.err.find("adit: " + first + ": no value above "), std::string::npos) << doubted.err;
+  EXPECT_NE(doubted.err.find(advice), std::string::npos) << doubted.err;
+  EXPECT_EQ(doubted.err.find(advice), doubted.err.rfind(advice));
+  EXPECT_EQ(run_adit({"run", first, "--set", "grey16_depth_bits=12"}).err, "");
+  EXPECT_EQ(run_adit({"run", first, "--quiet"}).err, "");
+  const Outcome cut_off = run_adit({"run", first, "--set", "grey16_depth_bits=10"});
+  EXPECT_NE(cut_off.err.find("but grey16_depth_bits is 10: all above are cut off"), std::string::npos) << cut_off.err;
+}
+
+TEST(RunFaults, AFullDiskUnderStandardOutputIsTold) {
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
+  const ScratchFolder folder;
+  const std::string image = make_passage(folder / "a.png");
+  for (const std::string& arguments :
+       {std::string("config"), std::string("run '") + image + "'", std::string("explain '") + image + "' -o -",
+        std::string("bench --seconds 0.05 --size 32x32")}) {
+    const int status = std::system(("'" ADIT_PROGRAM "' " + arguments + " >/dev/full 2>/dev/null").c_str());
+    EXPECT_EQ(WEXITSTATUS(status), 6) << arguments;
+  }
 }
 
 }  // namespace

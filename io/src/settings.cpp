@@ -148,7 +148,7 @@ void Settings::read_file(const std::filesystem::path& path) { read_yaml(read_set
 
 void Settings::set(std::string_view assignment) {
   const auto refuse_it = [assignment](const std::string& why) {
-    throw ConfigError("--set " + std::string(assignment) + ": " + why);
+    throw ConfigError("--set " + on_one_line(assignment) + ": " + why);
   };
   const std::size_t equals = assignment.find('=');
   if (equals == std::string_view::npos) refuse_it("not of the form key=value");

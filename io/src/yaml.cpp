@@ -51,7 +51,7 @@ YAML::Node load_yaml(std::string_view text, std::string_view name) {
   try {
     root = YAML::Load(std::string(text));
   } catch (const YAML::Exception& e) {
-    throw ConfigError(place_of(name, e.mark) + ": not YAML: " + e.msg);
+    throw ConfigError(place_of(name, e.mark) + ": not YAML: " + on_one_line(e.msg, 200));
   }
   if (!root.IsMap() && !root.IsNull()) {
     throw ConfigError(place_of(name, root.Mark()) + ": not a list of keys and values (key: value)");
@@ -59,14 +59,15 @@ YAML::Node load_yaml(std::string_view text, std::string_view name) {
   return root;
 }
 
-std::string in_quotes(std::string_view text) {
-  constexpr std::size_t kShown = 60;
-  std::string shown(text.substr(0, kShown));
+std::string on_one_line(std::string_view text, std::size_t longest) {
+  std::string shown(text.substr(0, longest));
   for (char& c : shown) {
     if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
   }
-  return "'" + shown + (text.size() > kShown ? "...'" : "'");
+  return shown + (text.size() > longest ? "..." : "");
 }
+
+std::string in_quotes(std::string_view text) { return std::string("'").append(on_one_line(text)).append("'"); }
 
 std::string hint_for(std::string_view name, const std::vector<std::string>& known) {
   const auto distance = [name](const std::string& k) { return begins(name, k) ? 1 : edits_between(name, k); };
@@ -74,7 +75,7 @@ std::string hint_for(std::string_view name, const std::vector<std::string>& know
     return distance(a) < distance(b);
   });
   if (nearest != known.end() && distance(*nearest) <= std::max<std::size_t>(2, nearest->size() / 3)) {
-    return "; did you mean '" + *nearest + "'?";
+    return "; did you mean " + in_quotes(*nearest) + "?";
   }
   std::string list = "; known are: ";
   for (std::size_t i = 0; i < known.size(); ++i) list += (i == 0 ? "" : ", ") + known[i];

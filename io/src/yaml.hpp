@@ -19,6 +19,7 @@ namespace adit::io {
 [[nodiscard]] YAML::Node load_yaml(std::string_view text, std::string_view name);
 
 /// Text to show in a message: shortened, control characters replaced, so that a message stays one line.
+[[nodiscard]] std::string on_one_line(std::string_view text, std::size_t longest = 60);
 [[nodiscard]] std::string in_quotes(std::string_view text);
 
 /// "; did you mean 'omega'?" or, when nothing is near, "; known are: a, b, c".

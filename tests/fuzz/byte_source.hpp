@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <string_view>
 
 namespace adit::fuzz {
 
@@ -36,6 +37,16 @@ class ByteSource {
 inline void require(bool promise, const char* words) {
   if (promise) return;
   std::fprintf(stderr, "broken promise: %s\n", words);
+  std::abort();
+}
+
+/// A message for a person: one line, that begins with the place of the fault, and is no copy of the input.
+inline void require_message(std::string_view message, std::string_view start) {
+  if (message.starts_with(start) && message.find_first_of("\n\r") == std::string_view::npos && message.size() < 1000) {
+    return;
+  }
+  std::fprintf(stderr, "broken promise: one short line that begins with %.*s, not:\n[%.*s]\n",
+               static_cast<int>(start.size()), start.data(), static_cast<int>(message.size()), message.data());
   std::abort();
 }
 

@@ -53,6 +53,17 @@ TEST(Bench, JsonHasItsKeys) {
   }
 }
 
+TEST(Bench, ItsExampleRuns) {
+  const std::string help = run("bench --help").text;
+  ASSERT_NE(help.find("Example: adit bench --seconds 10 --json bench.json"), std::string::npos) << help;
+  // The same with less time.
+  const std::string file = testing::TempDir() + "adit-bench-example.json";
+  const Outcome outcome = run("bench --seconds 0.05 --json \"" + file + "\"");
+  EXPECT_EQ(outcome.status, 0) << outcome.text;
+  EXPECT_NE(outcome.text.find("frame, whole"), std::string::npos) << outcome.text;
+  EXPECT_EQ(std::remove(file.c_str()), 0) << "no file of figures";
+}
+
 TEST(Bench, ATargetCanBeForced) {
   const Outcome outcome = run("bench --seconds 0.05 --size 64x64 --target plain --json -");
   ASSERT_EQ(outcome.status, 0) << outcome.text;

@@ -2,7 +2,6 @@
 # All unit tests under the address and undefined-behaviour sanitizers.
 . "$(dirname "${BASH_SOURCE[0]}")/prelude.sh"
 export ASAN_OPTIONS=strict_string_checks=1:detect_stack_use_after_return=1
-export LSAN_OPTIONS=suppressions=$PWD/scripts/checks/lsan.supp:print_suppressions=0
 export UBSAN_OPTIONS=print_stacktrace=1
 export ADIT_TEST_GRID=small
 build_preset asan

@@ -2,7 +2,6 @@
 # Each libFuzzer target for a minute (ADIT_FUZZ_SECONDS), starting from tests/fuzz/corpus.
 . "$(dirname "${BASH_SOURCE[0]}")/prelude.sh"
 export ASAN_OPTIONS=detect_leaks=1
-export LSAN_OPTIONS=suppressions=$PWD/scripts/checks/lsan.supp:print_suppressions=0
 seconds=${ADIT_FUZZ_SECONDS:-60}
 build_preset fuzz
 
@@ -11,7 +10,7 @@ fuzz() {
   local name=$1 begin=$SECONDS
   local corpus=build/fuzz/grown/$name findings=build/fuzz/findings/$name
   mkdir -p "$corpus" "$findings"
-  local arguments=(-max_total_time="$seconds" -timeout=10 -rss_limit_mb=4096 -print_final_stats=1
+  local arguments=(-max_total_time="$seconds" -timeout=30 -rss_limit_mb=4096 -print_final_stats=1
     -artifact_prefix="$findings/")
   if [ -f "tests/fuzz/$name.dict" ]; then arguments+=(-dict="tests/fuzz/$name.dict"); fi
   if "build/fuzz/tests/fuzz/fuzz_$name" "${arguments[@]}" "$corpus" "tests/fuzz/corpus/$name" \

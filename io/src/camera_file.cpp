@@ -53,8 +53,8 @@ class Reader {
     for (const auto& item : list) {
       double value = 0.0;
       if (!item.IsScalar() || !parse_number(item.Scalar(), value)) {
-        refuse(item,
-               std::string(name) + ": " + (item.IsScalar() ? in_quotes(item.Scalar()) : "an entry") + " is not a number");
+        refuse(item, std::string(name) + ": " + (item.IsScalar() ? in_quotes(item.Scalar()) : "an entry") +
+                         " is not a number");
       }
       values.push_back(value);
     }

@@ -15,8 +15,8 @@ struct Outcome {
 
 struct Surroundings {
   std::filesystem::path folder{};  ///< to run in; empty: the test's own
-  long file_bytes_max = 0;       ///< RLIMIT_FSIZE; 0: none
-  int signal = 0;                ///< sent after delay_ms
+  long file_bytes_max = 0;         ///< RLIMIT_FSIZE; 0: none
+  int signal = 0;                  ///< sent after delay_ms
   int delay_ms = 0;
   std::filesystem::path signal_when{};  ///< the signal waits until this exists
 };

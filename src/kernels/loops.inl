@@ -4,6 +4,11 @@
 // same, at_most, minus, sum) and the pixel-format blocks. Nothing here may be an inline function with external linkage:
 // the linker would be free to take a copy made for another CPU.
 
+template <int kCount>
+struct Count {
+  static constexpr int value = kCount;
+};
+
 struct Smallest {
   static Bytes of(Bytes a, Bytes b) { return smallest(a, b); }
   static std::uint8_t of(std::uint8_t a, std::uint8_t b) { return a < b ? a : b; }
@@ -113,18 +118,19 @@ inline void stack_columns(const std::uint8_t* const* rows, const int* reach, int
 template <class Order>
 void stack(const std::uint8_t* const* rows, const int* reach, int count, std::uint8_t* const* out_upper,
            std::uint8_t* const* out_lower, int width) {
-  constexpr int kVectors = 4;
-  constexpr int kStep = kVectors * Bytes::kLanes;
+  const auto columns = [&](auto vectors, int begin) {
+    stack_columns<Order, decltype(vectors)::value>(rows, reach, count, out_upper, out_lower, begin);
+  };
   int x = 0;
-  for (; x + kStep <= width; x += kStep) {
-    stack_columns<Order, kVectors>(rows, reach, count, out_upper, out_lower, x);
-  }
-  for (; x + Bytes::kLanes <= width; x += Bytes::kLanes) {
-    stack_columns<Order, 1>(rows, reach, count, out_upper, out_lower, x);
+  for (; x + 5 * Bytes::kLanes <= width; x += 5 * Bytes::kLanes) columns(Count<5>{}, x);
+  for (; x + 2 * Bytes::kLanes <= width; x += 2 * Bytes::kLanes) columns(Count<2>{}, x);
+  if (x + Bytes::kLanes <= width) {
+    columns(Count<1>{}, x);
+    x += Bytes::kLanes;
   }
   if (x == width) return;
   if (width >= Bytes::kLanes) {
-    return stack_columns<Order, 1>(rows, reach, count, out_upper, out_lower, width - Bytes::kLanes);
+    return columns(Count<1>{}, width - Bytes::kLanes);
   }
   for (; x < width; ++x) {
     std::uint8_t common = Order::of(rows[0][x], rows[1][x]);

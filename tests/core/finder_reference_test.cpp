@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "adit/finder.hpp"
+#include "as_reference.hpp"
 #include "chain_reference.hpp"
 #include "frames.hpp"
 
@@ -14,12 +15,7 @@ void expect_as_reference(const Frame& frame, const FinderConfig& config) {
   const OpenSpace seen = OpenSpaceFinder(config).find(frame.view());
   const reference::Answer answer =
       reference::judge(frame.view(), config, config.patch_size_px, config.structuring_element_size_px);
-  EXPECT_EQ(seen.status, answer.status);
-  EXPECT_NEAR(seen.atmospheric_light, answer.atmospheric_light, 1e-9);
-  EXPECT_EQ(seen.threshold_level, answer.threshold_level);
-  EXPECT_NEAR(seen.area_fraction, answer.area_fraction, 1e-12);
-  EXPECT_NEAR(seen.centroid_px.u_px, answer.u_px, 1e-6);
-  EXPECT_NEAR(seen.centroid_px.v_px, answer.v_px, 1e-6);
+  test::expect_same_answer(seen, answer);
 }
 
 TEST(FinderReference, MadeFrames) {

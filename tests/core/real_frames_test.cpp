@@ -10,6 +10,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "adit/finder.hpp"
+#include "as_reference.hpp"
 #include "chain_reference.hpp"
 
 namespace adit {
@@ -61,12 +62,7 @@ void expect_as_reference(const char* folder, std::size_t step) {
     const reference::Answer answer =
         reference::judge(view_of(picture), config, scaled_size_px(config.patch_size_vga_px, picture.cols),
                          scaled_size_px(config.structuring_element_size_vga_px, picture.cols));
-    EXPECT_EQ(seen.status, answer.status);
-    EXPECT_NEAR(seen.atmospheric_light, answer.atmospheric_light, 1e-9);
-    EXPECT_EQ(seen.threshold_level, answer.threshold_level);
-    EXPECT_NEAR(seen.area_fraction, answer.area_fraction, 1e-12);
-    EXPECT_NEAR(seen.centroid_px.u_px, answer.u_px, 1e-6);
-    EXPECT_NEAR(seen.centroid_px.v_px, answer.v_px, 1e-6);
+    test::expect_same_answer(seen, answer);
   }
 }
 

@@ -69,6 +69,10 @@ std::string fig3(const fs::path& table, const std::string& title) {
          "offset -1,0\n"
          "set ztics offset 0.5,0\n"
          "set key at screen 0.02,0.92 left top samplen 2\n"
+         "stats " +
+         t +
+         " using (abs(column('sx'))) name 'S' nooutput\n"
+         "half = exists('S_max') ? (S_max > 0.25 ? 1.3*S_max : 0.3) : 1\n"
          "splot " +
          t +
          " using (column('x_m')):(column('y_m')):(zfloor) with lines lw 1.5 lc rgb '#bbbbbb' title 'on the ground', "
@@ -77,7 +81,7 @@ std::string fig3(const fs::path& table, const std::string& title) {
          "'#2ca02c' title 'start', "
          "'' every ::T_records-1::T_records-1 using (column('x_m')):(column('y_m')):(column('z_m')) with points pt 5 "
          "ps 1.4 lc rgb '#d62728' title 'end'\n"
-         "unset zlabel\nset autoscale\nset xrange [0:T_max]\nset yrange [-1:1]\n"
+         "unset zlabel\nset autoscale\nset xrange [0:T_max]\nset yrange [-half:half]\n"
          "set xlabel 'time [s]' offset 0,0\nset ylabel 's_x' offset 0,0\n"
          "set key top right inside horizontal samplen 2 box lc rgb '#dddddd' opaque\n"
          "clip(a) = abs(a) < 80 ? tan(a*pi/180) : NaN\n"

@@ -12,6 +12,7 @@
 #include "interrupt.hpp"
 #include "progress.hpp"
 #include "subcommands.hpp"
+#include "world_options.hpp"
 
 namespace adit::tools {
 namespace {
@@ -41,26 +42,6 @@ std::vector<std::uint64_t> seeds_of(const Options& options) {
   std::vector<std::uint64_t> seeds(last - first + 1);
   std::iota(seeds.begin(), seeds.end(), first);
   return seeds;
-}
-
-void add_world_options(CLI::App& fly, FlyOptions& options) {
-  fly.add_option("course", options.course, "One of courses/*.yaml, by name or file")->type_name("COURSE");
-  fly.add_option("--world", options.world_file, "Instead: .world, .sdf, or a mesh (.stl .obj .dae .ply)")
-      ->type_name("FILE");
-  fly.add_option("--start", options.start, "Where to begin, over the floor")
-      ->type_name("X,Y,Z,YAW_DEG")
-      ->delimiter(',')
-      ->expected(4);
-  fly.add_option("--models", options.models, "Where model://NAME is looked for; repeatable")
-      ->type_name("DIR")
-      ->allow_extra_args(false);
-  fly.add_option("--mesh-scale", options.mesh_scale, "Metres per unit of a mesh (1)")
-      ->type_name("M")
-      ->check(CLI::Range(1e-6, 1e6));
-  fly.add_option("--mesh-up", options.mesh_up, "Axis of a mesh that points up: x, y, z, file")
-      ->type_name("AXIS")
-      ->check(CLI::IsMember({"file", "x", "y", "z"}));
-  fly.add_flag("--world-lights", options.world_lights, "Keep the world file's lights as lamps");
 }
 
 void add_flight_options(CLI::App& fly, Options& options) {

@@ -112,12 +112,13 @@ std::string course_path(const std::string& course) {
   throw io::InputError("there is no course '" + course + "'; there are: " + known_courses());
 }
 
-FlySettings fly_settings_of(const FlyOptions& options) {
+FlySettings fly_settings_of(const FlyOptions& options, const std::function<void(io::Settings&)>& add_more) {
   try {
     FlySettings s;
     if (options.world_file.empty()) s.course = sim::read_course(course_path(options.course));
     if (!options.lamp.empty()) s.rig = sim::rig_preset(options.lamp);
     io::Settings sections = sections_of(s);
+    if (add_more) add_more(sections);
     if (!options.config_file.empty()) sections.read_file(options.config_file);
     if (!options.method.empty()) sections.set("finder.method=" + options.method);
     if (options.speed_m_s > 0.0) sections.set("flight.speed_m_s=" + io::number_text(options.speed_m_s));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -51,7 +52,9 @@ struct Site {
 };
 
 /// Reads course, preset, configuration and settings, in this order. @throws io::ConfigError, io::InputError
-[[nodiscard]] FlySettings fly_settings_of(const FlyOptions& options);
+/// @param add_more  adds sections of the subcommand's own to those that may be set.
+[[nodiscard]] FlySettings fly_settings_of(const FlyOptions& options,
+                                          const std::function<void(io::Settings&)>& add_more = {});
 
 /// Builds or loads the world. @throws io::InputError, io::ConfigError
 [[nodiscard]] Site site_of(const FlyOptions& options, const FlySettings& settings);

@@ -55,6 +55,7 @@ ExitCode run(int argc, char** argv) {
   adit::tools::add_explain(app, exit_code);
 #ifdef ADIT_WITH_SIM
   adit::tools::add_fly(app, exit_code);
+  adit::tools::add_render(app, exit_code);
 #endif
   adit::tools::add_bench(app, exit_code);
   adit::tools::add_config(app, exit_code);

@@ -12,7 +12,8 @@ namespace adit::tools {
 void add_run(CLI::App& app, ExitCode& exit_code);
 void add_explain(CLI::App& app, ExitCode& exit_code);
 void add_bench(CLI::App& app, ExitCode& exit_code);
-void add_fly(CLI::App& app, ExitCode& exit_code);  ///< only in builds with the simulator
+void add_fly(CLI::App& app, ExitCode& exit_code);     ///< only in builds with the simulator
+void add_render(CLI::App& app, ExitCode& exit_code);  ///< the same
 void add_config(CLI::App& app, ExitCode& exit_code);
 
 }  // namespace adit::tools

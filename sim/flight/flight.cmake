@@ -8,4 +8,5 @@ target_sources(adit_sim PRIVATE
   flight/occupancy.cpp
   flight/rendered_eye.cpp
   flight/truth.cpp
-  flight/vehicle.cpp)
+  flight/vehicle.cpp
+  flight/viewpoints.cpp)

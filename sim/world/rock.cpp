@@ -80,7 +80,8 @@ std::vector<Material> materials_of(const CourseConfig& config) {
   const auto albedo = static_cast<float>(config.rock_albedo);
   const auto sigma = static_cast<float>(config.rock_albedo_log_sigma);
   // Wetting darkens rock to about half, since light stays in the film of water; the film adds the gloss.
-  const Eigen::Vector3f rock(1.0f, 0.94f, 0.86f);
+  // Iron makes most rock warm: ochre rather than grey.
+  const Eigen::Vector3f rock(1.0f, 0.90f, 0.70f);
   const Eigen::Vector3f grey(1.0f, 1.0f, 1.0f);
   const Eigen::Vector3f wood(1.0f, 0.78f, 0.55f);
   const Eigen::Vector3f rust(1.0f, 0.68f, 0.5f);
@@ -89,7 +90,7 @@ std::vector<Material> materials_of(const CourseConfig& config) {
   return {
       {"rock", albedo, sigma, 0.6f, 0.0f, 30.0f, 0.0f, 0.35f, 0.3f, rock},
       {"wet_rock", 0.5f * albedo, sigma, 0.5f, 0.25f, 90.0f, 0.0f, 0.25f, 0.3f, rock},
-      {"gravel", 0.8f * albedo, sigma, 0.15f, 0.0f, 30.0f, 0.0f, 0.6f, 0.06f, rock},
+      {"gravel", 0.8f * albedo, sigma, 0.3f, 0.0f, 30.0f, 0.0f, 0.3f, 0.09f, rock},
       {"wet_gravel", 0.4f * albedo, sigma, 0.25f, 0.3f, 120.0f, 0.0f, 0.12f, 0.1f, rock},
       {"stone", 0.8f * albedo, sigma, 0.4f, 0.0f, 30.0f, 0.0f, 0.2f, 0.1f, rock},
       {"pipe", 0.35f, 0.15f, 0.8f, 0.2f, 40.0f, 0.0f, 0.0f, 0.3f, grey},

@@ -8,6 +8,7 @@ find_package(OpenCV REQUIRED COMPONENTS core imgcodecs)
 target_sources(adit_sim PRIVATE
   light/scene.cpp
   light/contact.cpp
+  light/corner_table.cpp
   light/lamp_lobe.cpp
   light/dust.cpp
   light/virtual_lights.cpp

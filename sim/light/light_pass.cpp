@@ -250,7 +250,8 @@ void light_tile(Renderer::Parts& parts, int tile_u, int tile_v, float least_lux)
   const ShadeKernels& kernels = shade_kernels();
   kernels.aim(t, rows, directions, parts.stride);
   const bool any = trace(t, parts);
-  kernels.surface(t, {&parts.materials, parts.corner_normals.data(), parts.pixel_angle, parts.render.facets});
+  kernels.surface(t, {&parts.materials, parts.corners.normals.data(), parts.corners.reflectance.data(),
+                      parts.pixel_angle, parts.render.facets});
   const RenderConfig& r = parts.render;
   if (any) {
     add_own_lamps(t, parts, rows, least_lux);

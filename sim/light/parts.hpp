@@ -43,6 +43,12 @@ struct SensorTables {
   std::vector<std::uint8_t> tone;
 };
 
+/// What is smooth over edges of the mesh: nine floats a triangle, three a corner.
+struct CornerTable {
+  std::vector<float> normals;      ///< x, y, z
+  std::vector<float> reflectance;  ///< albedo, specular, facet_slope
+};
+
 struct Renderer::Parts {
   const World* world = nullptr;
   RigConfig rig;
@@ -53,7 +59,7 @@ struct Renderer::Parts {
   int width = 0, height = 0, stride = 0, rows = 0;  ///< stride and rows are rounded up to whole tiles
   float pixel_angle = 0.0f;
   std::vector<float> directions[3];
-  std::vector<float> corner_normals;
+  CornerTable corners;
   MaterialTable materials{};
   std::vector<OwnLamp> own_lamps;
   std::vector<ForeignLamp> foreign_lamps;
@@ -82,7 +88,7 @@ struct Renderer::Parts {
 };
 
 // Made once.
-std::vector<float> corner_normals_of(const Mesh& mesh);
+CornerTable corner_table_of(const World& world);
 MaterialTable material_table_of(const World& world);
 std::vector<ForeignLamp> foreign_lamps_of(const World& world, const RayScene& scene);
 std::vector<VirtualLight> bounces_of_foreign(const World& world, const RayScene& scene,

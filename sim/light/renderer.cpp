@@ -80,40 +80,6 @@ CameraMotion motion_of(const Renderer::Parts& parts, const Eigen::Isometry3f& po
 
 }  // namespace
 
-/// Normals at corners: the mean over the triangles that meet there and are not turned from this one by more than
-/// 50 deg, weighted by area and angle of no one: edges of props and pipes stay sharp, rock gets round.
-std::vector<float> corner_normals_of(const Mesh& mesh) {
-  constexpr float kCosine = 0.64f;
-  std::vector<Vector3f> flat(mesh.triangles.size());
-  std::vector<std::uint32_t> first(mesh.vertices.size() + 1, 0);
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    const auto& t = mesh.triangles[i];
-    flat[i] = (mesh.vertices[t[1]] - mesh.vertices[t[0]]).cross(mesh.vertices[t[2]] - mesh.vertices[t[0]]);
-    for (int k = 0; k < 3; ++k) ++first[t[k] + 1];
-  }
-  for (std::size_t i = 1; i < first.size(); ++i) first[i] += first[i - 1];
-  std::vector<std::uint32_t> around(first.back()), next(first.begin(), first.end() - 1);
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
-    for (int k = 0; k < 3; ++k) around[next[mesh.triangles[i][k]]++] = static_cast<std::uint32_t>(i);
-  std::vector<float> corners(mesh.triangles.size() * 9);
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    const float length = flat[i].norm();
-    for (int k = 0; k < 3; ++k) {
-      const std::uint32_t vertex = mesh.triangles[i][k];
-      Vector3f sum = Vector3f::Zero();
-      for (std::uint32_t a = first[vertex]; a < first[vertex + 1]; ++a) {
-        const Vector3f& other = flat[around[a]];
-        if (other.dot(flat[i]) >= kCosine * length * other.norm()) sum += other;
-      }
-      if (sum.squaredNorm() < 1e-20f) sum = Vector3f::UnitZ();
-      sum.normalize();
-      for (int c = 0; c < 3; ++c)
-        corners[9 * i + 3 * static_cast<std::size_t>(k) + static_cast<std::size_t>(c)] = sum[c];
-    }
-  }
-  return corners;
-}
-
 MaterialTable material_table_of(const World& world) {
   MaterialTable table{};
   if (world.materials.empty() || world.materials.size() > kMaterialsMax)
@@ -160,7 +126,7 @@ Renderer::Renderer(const World& world, const RigConfig& rig, const RenderConfig&
   p.rows = (p.height + kTileHeight - 1) / kTileHeight * kTileHeight;
   p.pixel_angle = static_cast<float>(1.0 / p.camera->model().focal_length_x_px);
   fill_directions(p);
-  p.corner_normals = corner_normals_of(world.mesh);
+  p.corners = corner_table_of(world);
   p.own_lamps = own_lamps_of(rig);
   p.foreign_lamps = foreign_lamps_of(world, *p.scene);
   if (render.virtual_lights > 0)

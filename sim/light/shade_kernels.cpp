@@ -66,46 +66,75 @@ void geometry(Tile& t, const float* normals) {
   }
 }
 
-void reflectance(Tile& t, const MaterialTable& m) {
+/// Albedo, gloss and slope of facets run from corner to corner, so that wet and dry do not meet along triangles.
+void reflectance(Tile& t, const SurfaceTerms& terms) {
+  const MaterialTable& m = *terms.materials;
+  const float* const corners = terms.corner_reflectance;
   ADIT_LANES
   for (int i = 0; i < kTileLanes; ++i) {
     const std::int32_t k = t.material[i];
-    t.albedo[i] = m.albedo[k];
+    const std::int32_t at = (t.triangle[i] < 0 ? 0 : t.triangle[i]) * 9;
+    const float b = t.bu[i], c = t.bv[i], a = 1.0f - b - c;
+    t.albedo[i] = a * corners[at] + b * corners[at + 3] + c * corners[at + 6];
+    t.specular[i] = a * corners[at + 1] + b * corners[at + 4] + c * corners[at + 7];
+    t.slope[i] = a * corners[at + 2] + b * corners[at + 5] + c * corners[at + 8];
     t.red[i] = m.red[k];
     t.blue[i] = m.blue[k];
-    t.specular[i] = m.specular[k];
     t.shininess[i] = m.shininess[k];
     t.emission[i] = m.emission[k];
   }
 }
 
-/// Facets tilt the normal; patches, stains and wetness change the reflectance.
+/// Sums over the sizes of facets: gradient and height of the noise.
+struct alignas(64) FacetSums {
+  Tile::Lane size_1_m, gx, gy, gz, height;
+};
+
+/// One size of facets. Those smaller than some two pixels melt away; their tilt is then the Lambert surface's own
+/// roughness. A grazing view stretches the pixel on the ground; its two sides' geometric mean (footprint) decides.
+/// Where they melt in the whole tile, the noise is not drawn at all.
+void add_facets(const Tile& t, const Tile::Lane& footprint, FacetSums& into, const Lattice& lattice, float factor,
+                float weight, std::uint32_t seed) {
+  int seen_lanes = 0;
+  ADIT_LANES
+  for (int i = 0; i < kTileLanes; ++i)
+    seen_lanes |= ((footprint[i] * (into.size_1_m[i] * factor) < 1.0f) & (t.slope[i] > 0.0f)) ? 1 : 0;
+  if (seen_lanes == 0) return;
+  const Lattice l = lattice;
+  ADIT_LANES
+  for (int i = 0; i < kTileLanes; ++i) {
+    const float scale = into.size_1_m[i] * factor;
+    const float seen = weight * clamped(2.0f - 2.0f * footprint[i] * scale, 0.0f, 1.0f);
+    const FacetSample f = facet_noise(t.px[i] * scale, t.py[i] * scale, t.pz[i] * scale, l, seed);
+    into.gx[i] += seen * f.gx;
+    into.gy[i] += seen * f.gy;
+    into.gz[i] += seen * f.gz;
+    into.height[i] += seen * f.value;
+  }
+}
+
+/// FacetSums tilt the normal; patches, stains and wetness change the reflectance.
 void roughen(Tile& t, const SurfaceTerms& terms) {
   const SurfaceTerms s = terms;
   const MaterialTable& m = *s.materials;
+  static thread_local FacetSums facets;
+  alignas(64) Tile::Lane footprint;
+  ADIT_LANES
+  for (int i = 0; i < kTileLanes; ++i) {
+    const float facing = clamped(-(t.gx[i] * t.dx[i] + t.gy[i] * t.dy[i] + t.gz[i] * t.dz[i]), 0.04f, 1.0f);
+    footprint[i] = t.range[i] * s.pixel_angle * 2.0f / std::sqrt(facing);
+    facets.size_1_m[i] = m.facet_1_m[t.material[i]];
+    facets.gx[i] = facets.gy[i] = facets.gz[i] = facets.height[i] = 0.0f;
+  }
+  add_facets(t, footprint, facets, kLattices[0], 1.0f, 0.30f, 0x9e3779b9u);
+  add_facets(t, footprint, facets, kLattices[1], 2.9f, 0.22f, 0x3c6ef372u);
+  add_facets(t, footprint, facets, kLattices[2], 8.4f, 0.14f, 0xdaa66d2bu);
+  add_facets(t, footprint, facets, kLattices[3], 24.4f, 0.09f, 0x78dde6e4u);
   ADIT_LANES
   for (int i = 0; i < kTileLanes; ++i) {
     const std::int32_t k = t.material[i];
-    const float slope = m.facet_slope[k], per_m = m.facet_1_m[k];
-    // Facets smaller than some two pixels melt away; their tilt is then the Lambert surface's own roughness.
-    // A grazing view stretches the pixel on the ground; its two sides' geometric mean decides.
-    const float facing = clamped(-(t.gx[i] * t.dx[i] + t.gy[i] * t.dy[i] + t.gz[i] * t.dz[i]), 0.04f, 1.0f);
-    const float footprint = t.range[i] * s.pixel_angle * 2.0f / std::sqrt(facing);
-    float gx = 0.0f, gy = 0.0f, gz = 0.0f, height = 0.0f;
-    const float px = t.px[i], py = t.py[i], pz = t.pz[i];
-    const auto add = [&](const Lattice& lattice, float scale, float weight, std::uint32_t seed)
-        __attribute__((always_inline)) {
-      const float seen = weight * clamped(2.0f - 2.0f * footprint * scale, 0.0f, 1.0f);
-      const FacetSample f = facet_noise(px * scale, py * scale, pz * scale, lattice, seed);
-      gx += seen * f.gx;
-      gy += seen * f.gy;
-      gz += seen * f.gz;
-      height += seen * f.value;
-    };
-    add(kLattices[0], per_m, 0.30f, 0x9e3779b9u);
-    add(kLattices[1], per_m * 2.9f, 0.22f, 0x3c6ef372u);
-    add(kLattices[2], per_m * 8.4f, 0.14f, 0xdaa66d2bu);
-    add(kLattices[3], per_m * 24.4f, 0.09f, 0x78dde6e4u);
+    const float slope = t.slope[i];
+    const float gx = facets.gx[i], gy = facets.gy[i], gz = facets.gz[i], height = facets.height[i];
     float nx = t.nx[i], ny = t.ny[i], nz = t.nz[i];
     const float along = gx * nx + gy * ny + gz * nz;
     nx -= slope * (gx - along * nx);
@@ -125,11 +154,11 @@ void roughen(Tile& t, const SurfaceTerms& terms) {
     const float log_albedo = sigma * (2.2f * broad.value + 1.6f * fine.value) - 0.5f * sigma * sigma;
     const float hollow = 1.0f + 0.35f * slope * height;  // dirt and shade in the hollows
     const float wet = clamped((broad.value + 0.5f * fine.value) * 4.0f + 0.6f, 0.0f, 1.0f);
-    const float has_wet = m.specular[k] > 0.0f ? wet : 0.0f;
-    t.specular[i] = m.specular[k] * wet;
-    t.albedo[i] = clamped(m.albedo[k] * exp_lane(log_albedo) * hollow * (1.0f - 0.4f * has_wet), 0.005f, 0.95f);
-    // Stains: iron's brown to grey, along the same patches.
-    const float stain = sigma * (0.35f * fine.value - 0.25f * broad.value);
+    const float has_wet = t.specular[i] > 0.0f ? wet : 0.0f;
+    t.specular[i] *= wet;
+    t.albedo[i] = clamped(t.albedo[i] * exp_lane(log_albedo) * hollow * (1.0f - 0.4f * has_wet), 0.005f, 0.95f);
+    // Stains: iron's brown to grey, along the same patches; hardly ever towards blue.
+    const float stain = clamped(sigma * (0.45f * fine.value - 0.30f * broad.value), -0.05f, 0.5f);
     t.red[i] = m.red[k] * (1.0f + stain);
     t.blue[i] = m.blue[k] * (1.0f - 1.3f * stain);
   }
@@ -137,7 +166,7 @@ void roughen(Tile& t, const SurfaceTerms& terms) {
 
 void surface(Tile& t, const SurfaceTerms& s) {
   geometry(t, s.corner_normals);
-  reflectance(t, *s.materials);
+  reflectance(t, s);
   if (s.facets) roughen(t, s);
   ADIT_LANES
   for (int i = 0; i < kTileLanes; ++i)

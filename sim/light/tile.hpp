@@ -31,7 +31,7 @@ struct alignas(64) Tile {
   std::int32_t material[kTileLanes];
   // Surface: place, normal with facets, geometric normal turned to the eye (gx, gy, gz), reflectance.
   Lane px, py, pz, nx, ny, nz;
-  Lane albedo, red, blue, specular, shininess, emission;
+  Lane albedo, red, blue, specular, shininess, emission, slope;
   // Light gathered so far: irradiance (lux) and specular luminance (cd/m^2), by colour of source.
   Lane own, own_specular, foreign, foreign_specular, sky;
   // One lamp's share, before its shadows are known; way to that lamp.
@@ -49,8 +49,9 @@ struct MaterialTable {
 /// What the surface loop needs besides the tile.
 struct SurfaceTerms {
   const MaterialTable* materials;
-  const float* corner_normals;  ///< nine floats a triangle
-  float pixel_angle;            ///< rad
+  const float* corner_normals;      ///< nine floats a triangle
+  const float* corner_reflectance;  ///< the same: albedo, specular, facet_slope at each corner
+  float pixel_angle;                ///< rad
   bool facets;
 };
 

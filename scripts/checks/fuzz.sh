@@ -26,10 +26,16 @@ fuzz() {
   fi
 }
 
-status=0
+# As many at a time as there are processors.
+status=0 running=()
 for program in build/fuzz/tests/fuzz/fuzz_*; do
-  name=${program##*/fuzz_}
-  case $name in *_replay | *.*) continue ;; esac
-  fuzz "$name" || status=1
+  if [ ! -f "$program" ] || [ ! -x "$program" ]; then continue; fi
+  fuzz "${program##*/fuzz_}" &
+  running+=($!)
+  if [ ${#running[@]} -ge "$jobs" ]; then
+    wait "${running[0]}" || status=1
+    running=("${running[@]:1}")
+  fi
 done
+for id in "${running[@]}"; do wait "$id" || status=1; done
 exit $status

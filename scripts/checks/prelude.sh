@@ -7,7 +7,8 @@ jobs=${ADIT_JOBS:-$(nproc)}
 tally_file=${ADIT_TALLY:-/dev/null}
 export CTEST_OUTPUT_ON_FAILURE=1
 if command -v ccache >/dev/null; then
-  export CMAKE_C_COMPILER_LAUNCHER=ccache CMAKE_CXX_COMPILER_LAUNCHER=ccache
+  # Paths relative to the project, so that another clone of it finds what this one has built.
+  export CMAKE_C_COMPILER_LAUNCHER=ccache CMAKE_CXX_COMPILER_LAUNCHER=ccache CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1
 fi
 
 # tally PASSED FAILED SKIPPED: adds to the sum that scripts/test prints at the end.

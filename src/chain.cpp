@@ -41,7 +41,7 @@ Status OpenSpaceFinder::Chain::admit(const ImageView& frame) noexcept {
   }
   try {
     reserve(frame.width, frame.height);
-  } catch (const std::bad_alloc&) {
+  } catch (const std::exception&) {  // no memory
     return Status::kBadFrame;
   }
   return Status::kFound;

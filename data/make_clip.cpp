@@ -44,7 +44,8 @@ void make_clip(const std::string& folder) {
 
 int main(int argc, char** argv) {
   if (argc != 2 || argv[1][0] == '-') {
-    std::fprintf(stderr, "usage: make_clip FOLDER   writes clip.avi and tunnel.jpg there; a quarter of an hour on one core\n");
+    std::fprintf(stderr,
+                 "usage: make_clip FOLDER   writes clip.avi and tunnel.jpg there; a quarter of an hour on one core\n");
     return 2;
   }
   try {

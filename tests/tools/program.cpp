@@ -39,7 +39,7 @@ namespace {
 
 void send_signal(pid_t child, const Surroundings& surroundings) {
   using std::chrono::milliseconds;
-  for (int i = 0; i < 500 && !surroundings.signal_when.empty(); ++i) {
+  for (int i = 0; i < 3000 && !surroundings.signal_when.empty(); ++i) {
     if (std::filesystem::exists(surroundings.signal_when)) break;
     std::this_thread::sleep_for(milliseconds(20));
   }

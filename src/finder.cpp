@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <stdexcept>
 
 #include "chain.hpp"
@@ -74,11 +75,45 @@ Status verdict_on(const OpenSpace& seen, const FinderConfig& config) noexcept {
   return Status::kFound;
 }
 
-void note_opening(const Camera& camera, double confidence, OpenSpace& out) noexcept {
+/// Half the angles that the box takes up, measured through the opening's own centre.
+void note_extent(const Camera& camera, Opening& opening) noexcept {
+  const Pixel mean = opening.centroid_px;
+  const Bearing left = camera.bearing_of({opening.top_left_px.u_px, mean.v_px});
+  const Bearing right = camera.bearing_of({opening.bottom_right_px.u_px, mean.v_px});
+  const Bearing top = camera.bearing_of({mean.u_px, opening.top_left_px.v_px});
+  const Bearing bottom = camera.bearing_of({mean.u_px, opening.bottom_right_px.v_px});
+  opening.half_width_rad = 0.5 * (right.azimuth_rad - left.azimuth_rad);
+  opening.half_height_rad = 0.5 * (top.elevation_rad - bottom.elevation_rad);
+}
+
+/// The box that the spread suggests: an upright rectangle with these second moments reaches sqrt(3) sigma from its
+/// mean.
+void note_box(const ImageView& frame, const Moments& moments, const Camera& camera, Opening& opening) noexcept {
+  const auto reach_px = [&](std::uint64_t second, double mean) {
+    return std::sqrt(3.0 * std::max(0.0, static_cast<double>(second) / static_cast<double>(moments.m00) - mean * mean));
+  };
+  const Pixel mean = opening.centroid_px;
+  const double du = reach_px(moments.m20, mean.u_px), dv = reach_px(moments.m02, mean.v_px);
+  opening.top_left_px = {std::max(0.0, mean.u_px - du), std::max(0.0, mean.v_px - dv)};
+  opening.bottom_right_px = {std::min(frame.width - 1.0, mean.u_px + du), std::min(frame.height - 1.0, mean.v_px + dv)};
+  note_extent(camera, opening);
+}
+
+void note_opening(const ImageView& frame, const Camera& camera, double confidence, double contrast,
+                  OpenSpace& out) noexcept {
   out.point = camera.normalised_of(out.centroid_px);
   out.bearing = camera.bearing_of(out.centroid_px);
   out.confidence = confidence;
-  out.openings[0] = {out.centroid_px, out.point, out.bearing, out.area_fraction, out.confidence};
+  out.rule = Rule::kDarkestCluster;
+  Opening& opening = out.openings[0];
+  opening.centroid_px = out.centroid_px;
+  opening.point = out.point;
+  opening.bearing = out.bearing;
+  opening.area_fraction = out.area_fraction;
+  opening.confidence = confidence;
+  opening.score = confidence;
+  opening.contrast = contrast;
+  note_box(frame, out.moments, camera, opening);
   out.opening_count = 1;
 }
 
@@ -138,8 +173,8 @@ OpenSpace OpenSpaceFinder::find(const ImageView& frame) noexcept {
   note_levels(histogram, out);
   out.status = verdict_on(out, config);
   if (out.found()) {
-    note_opening(chain_->camera(), fill_of(out.moments) * contrast_of(histogram, out.threshold_level),
-                 out);  // eq. (10)
+    const double contrast = contrast_of(histogram, out.threshold_level);
+    note_opening(frame, chain_->camera(), fill_of(out.moments) * contrast, contrast, out);  // eq. (10)
   }
   clock.lap(Stage::kMoments);
   return out;

@@ -8,8 +8,11 @@
 namespace adit {
 namespace {
 
-constexpr std::array<std::string_view, kStatusCount> kStatusNames{"found",     "too_dark",  "too_bright", "no_contrast",
-                                                                  "no_region", "bad_frame", "wrong_size"};
+constexpr std::array<std::string_view, kStatusCount> kStatusNames{
+    "found",      "too_dark",   "too_bright",   "no_contrast", "no_region",    "bad_frame",
+    "wrong_size", "no_opening", "blocked_lens", "dust",        "frozen_frame", "torn_frame"};
+constexpr std::array<std::string_view, kRuleCount> kRuleNames{"none", "darkest_cluster", "enclosed", "open_sided",
+                                                              "flash"};
 constexpr std::array<std::string_view, 1> kMethodNames{"paper"};
 constexpr std::array<std::string_view, 2> kClusteringNames{"exact", "lloyd"};
 constexpr std::array<std::string_view, kStageCount> kStageNames{"dark_channel", "scattering_depth", "closing",
@@ -37,6 +40,7 @@ bool find_name(const std::array<std::string_view, N>& names, std::string_view na
 }  // namespace
 
 std::string_view to_string(Status status) noexcept { return name_of(kStatusNames, status); }
+std::string_view to_string(Rule rule) noexcept { return name_of(kRuleNames, rule); }
 std::string_view to_string(Method method) noexcept { return name_of(kMethodNames, method); }
 std::string_view to_string(Clustering clustering) noexcept { return name_of(kClusteringNames, clustering); }
 std::string_view to_string(Stage stage) noexcept { return name_of(kStageNames, stage); }
@@ -44,6 +48,7 @@ std::string_view to_string(HeadingState state) noexcept { return name_of(kHeadin
 std::string_view to_string(DistortionModel model) noexcept { return name_of(kDistortionNames, model); }
 
 bool parse(std::string_view name, Status& status) noexcept { return find_name(kStatusNames, name, status); }
+bool parse(std::string_view name, Rule& rule) noexcept { return find_name(kRuleNames, name, rule); }
 bool parse(std::string_view name, Method& method) noexcept { return find_name(kMethodNames, name, method); }
 bool parse(std::string_view name, Clustering& clustering) noexcept {
   return find_name(kClusteringNames, name, clustering);

@@ -67,15 +67,46 @@ enum class Status : std::uint8_t {
   kNoRegion,    ///< the darkest cluster is smaller than area_fraction_min: a speck, no opening
   kBadFrame,    ///< not a frame: see fault_of(ImageView)
   kWrongSize,   ///< the frame is not of the camera model's size
+  // Method `adit`, from one frame:
+  kNoOpening,    ///< lit rock and no dark place that it encloses: wall ahead, dead end
+  kBlockedLens,  ///< something close to the lens: no detail, or a bright blur
+  kDust,         ///< the lamp's own light thrown back by dust hides all rock
+  // From a sequence (navigator.hpp); a single frame never gives these:
+  kFrozenFrame,  ///< the same pixels again and again: the camera hangs
+  kTornFrame,    ///< two frames in one, or rows without signal
 };
-inline constexpr int kStatusCount = 7;
+inline constexpr int kStatusCount = 12;
+
+/// By which rule the best opening was chosen.
+enum class Rule : std::uint8_t {
+  kNone,            ///< nothing was chosen
+  kDarkestCluster,  ///< method `paper`: centroid of the darkest cluster
+  kEnclosed,        ///< method `adit`: the dark place that lit rock encloses best
+  kOpenSided,       ///< method `adit`: a dark place that runs out of the frame, lit rock on the sides that are seen
+  kFlash,           ///< method `adit`, pairs of frames: dark in the difference of lamp on and lamp off
+};
+inline constexpr int kRuleCount = 5;
+
+/// What disturbs the view. Set whatever the status is, so that a caller can slow down or switch a lamp on.
+/// Method `adit` only; all false with `paper`.
+struct SightFlags {
+  bool dust = false;          ///< veil_fraction is above dust_veil_min
+  bool glare = false;         ///< an emitter that is not the vehicle's lamp is in view
+  bool blocked_lens = false;  ///< see Status::kBlockedLens
+  bool too_dark = false;      ///< the picture is usable, if at all, only after amplification: noise counts
+  bool too_bright = false;    ///< a large part of the frame is at the end of the range
+
+  [[nodiscard]] bool any() const noexcept { return dust || glare || blocked_lens || too_dark || too_bright; }
+};
 
 /// "found", "too_dark", ...: the spelling in tables, messages and YAML.
 [[nodiscard]] std::string_view to_string(Status status) noexcept;
+[[nodiscard]] std::string_view to_string(Rule rule) noexcept;
 [[nodiscard]] std::string_view to_string(Method method) noexcept;
 [[nodiscard]] std::string_view to_string(Clustering clustering) noexcept;
 /// The other way round; false and no change when the name is unknown.
 [[nodiscard]] bool parse(std::string_view name, Status& status) noexcept;
+[[nodiscard]] bool parse(std::string_view name, Rule& rule) noexcept;
 [[nodiscard]] bool parse(std::string_view name, Method& method) noexcept;
 [[nodiscard]] bool parse(std::string_view name, Clustering& clustering) noexcept;
 
@@ -91,6 +122,15 @@ struct Opening {
   Bearing bearing;
   double area_fraction = 0.0;  ///< of the frame, 0 to 1
   double confidence = 0.0;     ///< 0 to 1, see OpenSpace::confidence
+
+  // How far it reaches. Method `paper`: the box that the spread of the cluster suggests (centroid +- sqrt(3) sigma).
+  Pixel top_left_px;             ///< of the upright box about it, inside the frame
+  Pixel bottom_right_px;         ///< the last pixel that belongs to the box
+  double half_width_rad = 0.0;   ///< half the angle between the box's left and right edge
+  double half_height_rad = 0.0;  ///< half the angle between its upper and lower edge
+  double score = 0.0;            ///< what the openings are ordered by, 0 to 1: how opening-like, see docs/method.md
+  double contrast = 0.0;         ///< how much darker it is than the rock on its rim: 0 not at all, 1 black
+  bool touches_border = false;   ///< cut by the edge of the frame: extent and bearing are those of the part in view
 };
 inline constexpr int kOpeningCountMax = 8;
 
@@ -105,6 +145,12 @@ struct OpenSpace {
   /// Openings, the best first. [0] is what centroid and bearing below repeat. Empty unless found.
   std::array<Opening, kOpeningCountMax> openings{};
   int opening_count = 0;
+  Rule rule = Rule::kNone;  ///< by which openings[0] was chosen; kNone unless found
+
+  SightFlags flags;
+  /// Light thrown back by dust between camera and rock, as a share of the light that the frame's rock sends (median):
+  /// 0 clear air, 1 nothing but veil. Without a known lamp and camera this cannot be brought to metres. Method `adit`.
+  double veil_fraction = 0.0;
 
   Pixel centroid_px;      ///< eq. (9); meaningful only when found, as are the next three
   NormalisedPoint point;  ///< eq. (10): (sx, sy)

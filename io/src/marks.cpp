@@ -71,6 +71,16 @@ std::string reason_of(Status status) {
       return "not a frame";
     case Status::kWrongSize:
       return "frame is not of the camera's size";
+    case Status::kNoOpening:
+      return "rock, and no way through it";
+    case Status::kBlockedLens:
+      return "something covers the lens";
+    case Status::kDust:
+      return "dust hides the rock";
+    case Status::kFrozenFrame:
+      return "the camera hangs";
+    case Status::kTornFrame:
+      return "a broken frame";
   }
   return std::string(to_string(status));
 }

@@ -30,6 +30,7 @@ void expect_names_lead_back(int count) {
 
 TEST(Names, LeadBack) {
   expect_names_lead_back<Status>(kStatusCount);
+  expect_names_lead_back<Rule>(kRuleCount);
   expect_names_lead_back<Method>(1);
   expect_names_lead_back<Clustering>(2);
   expect_names_lead_back<DistortionModel>(4);
@@ -43,6 +44,13 @@ TEST(Names, AreThoseOfTheTables) {
   EXPECT_EQ(to_string(Status::kNoRegion), "no_region");
   EXPECT_EQ(to_string(Status::kBadFrame), "bad_frame");
   EXPECT_EQ(to_string(Status::kWrongSize), "wrong_size");
+  EXPECT_EQ(to_string(Status::kNoOpening), "no_opening");
+  EXPECT_EQ(to_string(Status::kBlockedLens), "blocked_lens");
+  EXPECT_EQ(to_string(Status::kDust), "dust");
+  EXPECT_EQ(to_string(Status::kFrozenFrame), "frozen_frame");
+  EXPECT_EQ(to_string(Status::kTornFrame), "torn_frame");
+  EXPECT_EQ(to_string(Rule::kDarkestCluster), "darkest_cluster");
+  EXPECT_EQ(to_string(Rule::kFlash), "flash");
   EXPECT_EQ(to_string(Method::kPaper), "paper");
   EXPECT_EQ(to_string(Clustering::kLloyd), "lloyd");
   EXPECT_EQ(to_string(Stage::kScatteringDepth), "scattering_depth");

@@ -11,6 +11,7 @@ namespace adit::tools {
 // io::ConfigError or io::OutputError, which main() prints as one line and turns into an exit code.
 void add_run(CLI::App& app, ExitCode& exit_code);
 void add_explain(CLI::App& app, ExitCode& exit_code);
+void add_eval(CLI::App& app, ExitCode& exit_code);
 void add_bench(CLI::App& app, ExitCode& exit_code);
 void add_fly(CLI::App& app, ExitCode& exit_code);     ///< only in builds with the simulator
 void add_render(CLI::App& app, ExitCode& exit_code);  ///< the same

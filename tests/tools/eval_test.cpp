@@ -1,0 +1,217 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "program.hpp"
+#include "scratch_folder.hpp"
+
+namespace {
+
+using namespace adit::testing;
+using nlohmann::json;
+
+/// Four passages (320x240, a disc at u = 100, 108, 116, 124 px), of which the third is marked beside its disc.
+json draw_set(const std::filesystem::path& folder) {
+  make_passages(folder, 4);
+  json marks;
+  marks["size"] = {320, 240};
+  for (int i = 0; i < 4; ++i) {
+    const int u = 100 + 8 * i;
+    marks["openings"]["frame" + std::to_string(i) + ".png"] = {{u - 40, 70, u + 40, 150}};
+  }
+  marks["openings"]["frame2.png"] = json::parse("[[[240, 20], [300, 20], [300, 60]], [240, 180, 300, 220]]");
+  marks["openings"]["frame3.png"] = "none";
+  marks["places"] = {{"frame0.png", "a"}, {"frame1.png", "b"}, {"frame2.png", "c"}};
+  return marks;
+}
+
+std::string write_set(const std::filesystem::path& folder, const json& marks) {
+  write_text(folder / "openings.json", marks.dump());
+  return folder.string();
+}
+
+std::vector<std::string> row_of(const std::string& csv, const std::string& set, const std::string& method) {
+  for (auto& row : rows_of(csv))
+    if (row[0] == set && row[1] == method) return row;
+  return {};
+}
+
+std::string cell(const std::string& csv, const std::string& set, const std::string& method, const std::string& column) {
+  const auto header = rows_of(csv).front();
+  const auto row = row_of(csv, set, method);
+  const auto at = static_cast<std::size_t>(std::find(header.begin(), header.end(), column) - header.begin());
+  return at < row.size() ? row[at] : "no such cell";
+}
+
+TEST(Eval, DrawnSetFromEndToEnd) {
+  const ScratchFolder folder;
+  const std::string set = write_set(folder / "drift", draw_set(folder / "drift"));
+  const Outcome outcome =
+      run_adit({"eval", set, "--method", "paper", "--csv", "-", "--json", (folder / "f.json").string(), "--quiet"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  const auto figure = [&](const char* method, const char* column) {
+    return cell(outcome.out, "drift", method, column);
+  };
+  EXPECT_EQ(figure("paper", "frames"), "4");
+  EXPECT_EQ(figure("paper", "places"), "4");
+  EXPECT_EQ(figure("paper", "open"), "3");
+  EXPECT_EQ(figure("paper", "none"), "1");
+  EXPECT_EQ(figure("paper", "hits"), "2") << "the disc, but for the frame that is marked elsewhere";
+  EXPECT_EQ(figure("paper", "hit_rate"), "0.666667");
+  EXPECT_EQ(figure("paper", "refused_none"), "0.000000");
+  EXPECT_EQ(figure("paper", "error_deg"), "0.000000");
+  EXPECT_EQ(figure("paper", "open_ratio"), "") << "nothing is known of ranges";
+  EXPECT_EQ(figure("paper_k10", "hits"), "2");
+  EXPECT_EQ(figure("centre", "hits"), "0");
+  EXPECT_GE(figure("paper_best_k", "hits"), "2");
+  EXPECT_EQ(figure("paper_best_k", "about").substr(0, 4), "K = ");
+  const json figures = json::parse(read_text(folder / "f.json"));
+  const json& first = figures["sets"][0]["frames"][0];
+  EXPECT_EQ(first["image"], "frame0.png");
+  EXPECT_EQ(first["methods"]["paper"]["verdict"], "hit");
+  EXPECT_NEAR(first["methods"]["paper"]["u_px"].get<double>(), 100.0, 5.0);
+  EXPECT_EQ(figures["sets"][0]["frames"][2]["methods"]["paper"]["verdict"], "miss");
+  EXPECT_EQ(figures["sets"][0]["frames"][3]["methods"]["paper"]["verdict"], "answered_none");
+}
+
+TEST(Eval, SeedRepeatsAndThreadsDoNotMatter) {
+  const ScratchFolder folder;
+  const std::string set = write_set(folder / "drift", draw_set(folder / "drift"));
+  const auto figures = [&](const std::string& seed, const std::string& jobs) {
+    return run_adit({"eval", set, "--seed", seed, "--jobs", jobs, "--csv", "-", "--quiet"}).out;
+  };
+  const std::string one = figures("1", "1");
+  EXPECT_EQ(one, figures("1", "3"));
+  EXPECT_NE(row_of(one, "drift", "random"), row_of(figures("2", "2"), "drift", "random"));
+}
+
+TEST(Eval, TableOfOthersIsAMethod) {
+  const ScratchFolder folder;
+  const std::string set = write_set(folder / "drift", draw_set(folder / "drift"));
+  // Ours, written as a table and read again, scores as ours; one that knows the marks is right everywhere.
+  ASSERT_EQ(run_adit({"run", set, "--csv", (folder / "ours.csv").string(), "--quiet"}).exit_code, 0);
+  write_text(folder / "oracle.csv",
+             "source,status,confidence,u_px,v_px\nelsewhere/frame0.png,found,0.9,100,110\n"
+             "drift/frame1.png,found,0.9,108,110\nframe2.png,found,0.9,270,200\nframe3.png,no_region,,,\n");
+  const Outcome outcome =
+      run_adit({"eval", set, "--method", "paper", "--table", "ours=" + (folder / "ours.csv").string(), "--table",
+                "oracle=" + (folder / "oracle.csv").string(), "--no-baselines", "--csv", "-", "--quiet"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(rows_of(outcome.out).size(), 4u);
+  for (const char* column : {"hits", "hit_rate", "refused_none", "error_deg"})
+    EXPECT_EQ(cell(outcome.out, "drift", "ours", column), cell(outcome.out, "drift", "paper", column));
+  EXPECT_EQ(cell(outcome.out, "drift", "oracle", "hits"), "3");
+  EXPECT_EQ(cell(outcome.out, "drift", "oracle", "none_refused"), "1");
+  EXPECT_EQ(cell(outcome.out, "drift", "oracle", "calibration_error"), "0.100000");
+}
+
+TEST(Eval, JitterOfASequence) {
+  const ScratchFolder folder;
+  json marks = draw_set(folder / "drift");
+  for (int i = 0; i < 4; ++i) marks["places"]["frame" + std::to_string(i) + ".png"] = "one";
+  const std::string set = write_set(folder / "drift", marks);
+  const auto jitter = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {"eval", set, "--method", "paper", "--csv", "-", "--quiet"});
+    return cell(run_adit(more).out, "drift", "paper", "jitter_deg");
+  };
+  EXPECT_EQ(jitter({}), "");
+  // 8 px a frame at a focal length of 208 px, around 0.24 off the axis: 2.1 deg.
+  EXPECT_NEAR(std::stod(jitter({"--sequence"})), 2.1, 0.4);
+}
+
+TEST(Eval, SetsAreToldApartAndPutTogether) {
+  const ScratchFolder folder;
+  const std::string a = write_set(folder / "north", draw_set(folder / "north"));
+  const std::string b = write_set(folder / "south", draw_set(folder / "south"));
+  const Outcome outcome = run_adit({"eval", a, b + "/openings.json", "--quiet"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  for (const char* head : {"north: 4 frames of 4 places, 3 with an opening, 1 without", "south: 4 frames of 4 places",
+                           "all sets: 8 frames of 5 places"})
+    EXPECT_NE(outcome.out.find(head), std::string::npos) << outcome.out;
+}
+
+TEST(Eval, OneUnreadableImageIsToldAndTheRestIsJudged) {
+  const ScratchFolder folder;
+  const std::string set = write_set(folder / "drift", draw_set(folder / "drift"));
+  write_text(folder / "drift/frame1.png", "no picture");
+  const Outcome outcome = run_adit({"eval", set, "--csv", "-", "--quiet"});
+  EXPECT_EQ(outcome.exit_code, 5);
+  EXPECT_EQ(lines_of(outcome.err).size(), 1u) << outcome.err;
+  EXPECT_NE(outcome.err.find("frame1.png"), std::string::npos);
+  EXPECT_EQ(cell(outcome.out, "drift", "paper", "frames"), "3");
+}
+
+TEST(Eval, FaultsAreOneLineThatNamesWhatIsWrong) {
+  const ScratchFolder folder;
+  const json good = draw_set(folder / "set");
+  const auto with = [&](const char* key, const json& value) {
+    json marks = good;
+    marks["openings"][key] = value;
+    return marks.dump();
+  };
+  json large = good;
+  large["size"] = {640, 480};
+  const struct {
+    std::string marks;
+    int exit_code;
+    std::string says;
+  } faults[] = {
+      {"{\"openings\": {", 4, "no JSON from byte"},
+      {"", 4, "openings.json"},
+      {"[]", 4, "there is no \"openings\""},
+      {"{\"openings\": {}}", 4, "no frame is marked"},
+      {with("gone.png", "none"), 4, "1 of its 5 images are not beside it, the first is gone.png"},
+      {with("frame0.png", {{1, 2, 3}}), 4, "frame0.png: [1,2,3] is neither a box"},
+      {with("frame0.png", {{{1, 2}, {3, 4}}}), 4, "neither a box"},
+      {with("frame0.png", "nothing"), 4, "neither a list of outlines nor"},
+      {large.dump(), 4, "320x240 px"},
+  };
+  for (const auto& fault : faults) {
+    write_text(folder / "set/openings.json", fault.marks);
+    const Outcome outcome = run_adit({"eval", (folder / "set").string(), "--quiet"});
+    EXPECT_EQ(outcome.exit_code, fault.exit_code) << fault.says << ": " << outcome.err;
+    EXPECT_NE(outcome.err.find(fault.says), std::string::npos) << fault.says << ": " << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_EQ(lines_of(outcome.err).size(), 1u) << outcome.err;
+  }
+}
+
+TEST(Eval, WrongUsageAndMissingFiles) {
+  const ScratchFolder folder;
+  const std::string set = write_set(folder / "drift", draw_set(folder / "drift"));
+  write_text(folder / "short.csv", "source,status\na.png,found\n");
+  write_text(folder / "ragged.csv", "source,u_px,v_px\na.png,1\n");
+  write_text(folder / "words.csv", "source,u_px,v_px\nframe0.png,one,2\n");
+  write_text(folder / "twice.csv", "source,u_px,v_px\na/frame0.png,1,2\nb/frame0.png,1,2\n");
+  std::filesystem::create_directories(folder / "empty");
+  const struct {
+    std::vector<std::string> arguments;
+    int exit_code;
+    std::string says;
+  } faults[] = {
+      {{}, 2, "dataset"},
+      {{set, "--method", "magic"}, 2, "known are: paper"},
+      {{set, "--table", "short.csv"}, 2, "NAME=FILE.csv"},
+      {{set, "--table", "paper=" + (folder / "words.csv").string()}, 2, "name of another method"},
+      {{set, "--resamples", "1"}, 2, "--resamples"},
+      {{(folder / "none").string()}, 4, "no such folder"},
+      {{(folder / "empty").string()}, 4, "neither openings.json"},
+      {{set, "--table", "t=" + (folder / "none.csv").string()}, 4, "none.csv"},
+      {{set, "--table", "t=" + (folder / "short.csv").string()}, 4, "u_px and v_px"},
+      {{set, "--table", "t=" + (folder / "ragged.csv").string()}, 4, "ragged.csv:2"},
+      {{set, "--set", "omega=9"}, 3, "omega"},
+      {{set, "--json", (folder / "none/f.json").string()}, 6, "f.json"},
+  };
+  for (const auto& fault : faults) {
+    std::vector<std::string> arguments{"eval", "--quiet"};
+    arguments.insert(arguments.end(), fault.arguments.begin(), fault.arguments.end());
+    const Outcome outcome = run_adit(arguments);
+    EXPECT_EQ(outcome.exit_code, fault.exit_code) << fault.says << ": " << outcome.err;
+    EXPECT_EQ(lines_of(outcome.err).size(), 1u) << outcome.err;
+    EXPECT_NE(outcome.err.find(fault.says), std::string::npos) << outcome.err;
+  }
+}
+
+}  // namespace

@@ -35,6 +35,10 @@ Geometry geometry_of(adit::fuzz::ByteSource& source) {
   geometry.lloyd = (flags & 2) != 0;
   geometry.offset_bytes = source.take<std::uint8_t>() % 64;
   geometry.stride_bytes = std::ptrdiff_t{geometry.width} * adit::bytes_per_pixel(geometry.format) + extra_bytes;
+  if (geometry.stride_bytes < 0) {  // rows that go upwards, as with the flag
+    geometry.stride_bytes = -geometry.stride_bytes;
+    geometry.bottom_up = true;
+  }
   return geometry;
 }
 

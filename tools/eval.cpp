@@ -8,6 +8,7 @@
 
 #include "adit/io/errors.hpp"
 #include "adit/io/output_file.hpp"
+#include "eval_gallery.hpp"
 #include "eval_report.hpp"
 #include "eval_work.hpp"
 #include "finder_options.hpp"
@@ -23,7 +24,7 @@ struct Options {
   std::vector<std::string> methods;
   std::vector<std::string> tables;
   FinderOptions finder;
-  std::string csv, json;
+  std::string csv, json, gallery;
   EvalWork work;
   bool sequence = false;
   bool no_baselines = false;
@@ -49,6 +50,8 @@ void add_options(CLI::App& eval, Options& options) {
   eval.add_flag("--sequence", options.sequence, "Frames of a place follow each other in time: jitter");
   eval.add_option("--csv", options.csv, "Figures as CSV; - is standard output, instead of the text")->type_name("FILE");
   eval.add_option("--json", options.json, "Figures and all answers as JSON")->type_name("FILE");
+  eval.add_option("--gallery", options.gallery, "Every frame and answer: one NAME.html, or a folder")
+      ->type_name("PATH");
   eval.add_option("--seed", options.work.bootstrap.seed, "Of intervals and random places (1)")->type_name("N");
   eval.add_option("--resamples", options.work.bootstrap.resamples, "Draws of places for the intervals (2000)")
       ->type_name("N")
@@ -57,6 +60,14 @@ void add_options(CLI::App& eval, Options& options) {
       ->type_name("N")
       ->check(CLI::Range(1, 256));
   eval.add_flag("--quiet", options.work.quiet, "No progress");
+}
+
+/// Is the baseline paper_k10 what --method paper is anyway?
+bool judges_published(const Options& options, const FinderConfig& config) {
+  const std::string paper(to_string(Method::kPaper));
+  const auto& methods = options.methods;
+  return config.cluster_count == kPublishedK && config.clustering == Clustering::kExact &&
+         (methods.empty() || std::find(methods.begin(), methods.end(), paper) != methods.end());
 }
 
 /// The methods of --method, the tables, the baselines; no name twice.
@@ -78,8 +89,11 @@ std::vector<Contender> contenders_of(const Options& options, const FinderConfig&
       throw CLI::ValidationError("--table", "'" + table + "' is not NAME=FILE.csv");
     all.push_back(table_contender(table.substr(0, at), table.substr(at + 1)));
   }
-  if (!options.no_baselines)
-    for (Contender& baseline : baselines(config, options.work.bootstrap.seed)) all.push_back(std::move(baseline));
+  if (!options.no_baselines) {
+    const bool as_published = judges_published(options, config);
+    for (Contender& baseline : baselines(config, options.work.bootstrap.seed))
+      if (!(as_published && baseline.name == kPublishedName)) all.push_back(std::move(baseline));
+  }
   std::set<std::string> names;
   for (const Contender& c : all)
     if (c.scanned_k == 0 && !names.insert(c.name).second)
@@ -95,6 +109,7 @@ ExitCode run(Options& options) {
   if (const auto camera = camera_of(options.finder)) work.camera = camera->model();
   work.contenders = contenders_of(options, configuration.finder);
   for (const std::string& path : options.sets) work.sets.push_back(read_eval_set(path, options.sequence));
+  work.pictures = !options.gallery.empty();
   const EvalResult result = evaluate(work);
   if (result.interrupted) {
     print_line("adit: interrupted; figures of a part would mislead, so none are written");
@@ -102,6 +117,7 @@ ExitCode run(Options& options) {
   }
   if (!options.json.empty()) io::write_file(options.json, eval_json(work, result));
   if (!options.csv.empty() && options.csv != "-") io::write_file(options.csv, eval_csv(work, result));
+  if (!options.gallery.empty()) write_gallery(options.gallery, work, result);
   const std::string text = options.csv == "-" ? eval_csv(work, result) : eval_text(work, result);
   io::OutputFile out("-");
   out.write(text);

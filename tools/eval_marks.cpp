@@ -2,6 +2,7 @@
 // "none"}, "places": {"a.png": "north drift"}}
 #include <algorithm>
 #include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "adit/io/camera_file.hpp"
@@ -63,47 +64,55 @@ void take_marks(const Json& value, const std::string& where, EvalFrame& frame) {
   if (!frame.truth.outlines.empty()) frame.truth.scene = eval::Scene::kOpen;
 }
 
-void refuse_missing(const EvalSet& set) {
+void refuse_missing(const fs::path& marks, const std::vector<EvalFrame>& frames) {
   std::error_code error;
   std::size_t missing = 0;
   std::string first;
-  for (const EvalFrame& frame : set.frames)
+  for (const EvalFrame& frame : frames)
     if (!fs::is_regular_file(frame.image, error) && missing++ == 0) first = frame.name;
   if (missing > 0)
-    throw io::InputError(set.marks + ": " + std::to_string(missing) + " of its " + std::to_string(set.frames.size()) +
+    throw io::InputError(marks.string() + ": " + std::to_string(missing) + " of its " + std::to_string(frames.size()) +
                          " images are not beside it, the first is " + first);
 }
 
-void read_size(const Json& json, EvalSet& set) {
-  if (!json.contains("size")) return;
-  if (!is_place(json["size"])) throw io::InputError(set.marks + ": size: it is [width, height] in px");
-  set.size = {json["size"][0].get<int>(), json["size"][1].get<int>()};
+std::optional<std::pair<int, int>> size_of(const Json& json, const std::string& where) {
+  if (!json.contains("size")) return std::nullopt;
+  if (!is_place(json["size"])) throw io::InputError(where + ": size: it is [width, height] in px");
+  return std::pair{json["size"][0].get<int>(), json["size"][1].get<int>()};
+}
+
+std::optional<std::string> place_in(const Json& json, const std::string& name) {
+  if (!json.contains("places") || !json["places"].is_object()) return std::nullopt;
+  const Json& places = json["places"];
+  if (!places.contains(name) || !places[name].is_string()) return std::nullopt;
+  return places[name].get<std::string>();
 }
 
 }  // namespace
 
-void read_marked(const fs::path& marks, EvalSet& set) {
-  set.marks = marks.string();
+void read_marked(const fs::path& marks, const std::string& prefix, EvalSet& set) {
+  const std::string where = marks.string();
   const Json json = parse(marks);
   if (!json.is_object() || !json.contains("openings") || !json["openings"].is_object())
-    throw io::InputError(set.marks +
-                         ": there is no \"openings\": {\"IMAGE\": [outlines], ...}; make it with 'adit mark'");
-  read_size(json, set);
+    throw io::InputError(where + ": there is no \"openings\": {\"IMAGE\": [outlines], ...}; make it with 'adit mark'");
+  const auto size = size_of(json, where);
+  std::optional<CameraModel> camera;
+  if (const fs::path file = marks.parent_path() / "camera.yaml"; fs::exists(file)) camera = io::read_camera(file);
+  std::vector<EvalFrame> frames;
   for (const auto& [name, value] : json["openings"].items()) {
     EvalFrame frame;
-    frame.name = name;
+    frame.name = prefix + name;
     frame.image = marks.parent_path() / name;
-    take_marks(value, set.marks + ": " + name, frame);
-    if (json.contains("places") && json["places"].is_object() && json["places"].contains(name) &&
-        json["places"][name].is_string())
-      frame.place = json["places"][name].get<std::string>();
-    if (frame.place.empty()) frame.place = set.name + "/" + place_of_name(name);
-    set.frames.push_back(std::move(frame));
+    frame.size = size;
+    frame.camera = camera;
+    take_marks(value, where + ": " + name, frame);
+    if (const auto place = place_in(json, name)) frame.place = *place;
+    if (frame.place.empty()) frame.place = set.name + "/" + prefix + place_of_name(name);
+    frames.push_back(std::move(frame));
   }
-  if (set.frames.empty()) throw io::InputError(set.marks + ": no frame is marked");
-  refuse_missing(set);
-  const fs::path camera = marks.parent_path() / "camera.yaml";
-  if (fs::exists(camera)) set.camera = io::read_camera(camera);
+  if (frames.empty()) throw io::InputError(where + ": no frame is marked");
+  refuse_missing(marks, frames);
+  std::move(frames.begin(), frames.end(), std::back_inserter(set.frames));
 }
 
 }  // namespace adit::tools

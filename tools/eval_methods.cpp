@@ -132,10 +132,11 @@ std::vector<Contender> baselines(const FinderConfig& config, std::uint64_t seed)
   all.push_back({"centre", true, 0, [] { return std::make_unique<CentreAnswerer>(); }});
   all.push_back({"random", true, 0, [seed] { return std::make_unique<RandomAnswerer>(seed); }});
   all.push_back({"darkest_pixel", true, 0, [] { return std::make_unique<DarkestAnswerer>(); }});
-  all.push_back(paper_contender("paper_k10", config, 10, false));
-  FinderConfig random_start = config;
-  random_start.clustering = Clustering::kLloyd;
-  all.push_back(paper_contender("paper_k10_lloyd", random_start, 10, false));
+  FinderConfig published = config;
+  published.clustering = Clustering::kExact;
+  all.push_back(paper_contender(kPublishedName, published, kPublishedK, false));
+  published.clustering = Clustering::kLloyd;
+  all.push_back(paper_contender("paper_k10_lloyd", published, kPublishedK, false));
   for (int k = kScannedFewest; k <= kScannedMost; ++k) all.push_back(paper_contender("paper_best_k", config, k, true));
   return all;
 }

@@ -55,6 +55,8 @@ struct Contender {
 /// Image centre, a random place, the darkest place, and the paper's chain as published and with each other K.
 [[nodiscard]] std::vector<Contender> baselines(const FinderConfig& config, std::uint64_t seed);
 
+inline constexpr int kPublishedK = 10;
+inline constexpr const char* kPublishedName = "paper_k10";
 inline constexpr int kScannedFewest = 2;
 inline constexpr int kScannedMost = 20;
 

@@ -20,18 +20,17 @@ struct EvalFrame {
   eval::FrameTruth truth;        ///< of rendered frames whole only after complete_truth()
   std::filesystem::path ranges;  ///< 16-bit PNG in mm; empty for marked frames
   double deepest_m = eval::kUnknown;
+  std::optional<CameraModel> camera;        ///< that the set brings
+  std::optional<std::pair<int, int>> size;  ///< px, that marks were made for
 };
 
 struct EvalSet {
   std::string name;
-  bool rendered = false;
   std::vector<EvalFrame> frames;
-  std::optional<CameraModel> camera;
-  std::optional<std::pair<int, int>> size;  ///< px, that marks were made for
-  std::string marks;                        ///< the file of marks, for messages
 };
 
-/// @param path  a folder with openings.json or truth.csv, or one of these files.
+/// @param path  a folder with openings.json or truth.csv, or one of these files; or a folder of such folders, which
+///              together are one set.
 /// @param sequence  the frames of a place follow each other in time, in the order of their names.
 /// @throws io::InputError one line that names the file and what is wrong with it.
 [[nodiscard]] EvalSet read_eval_set(const std::filesystem::path& path, bool sequence);

@@ -88,16 +88,16 @@ eval::RangeImage read_ranges(const fs::path& path, const CameraModel& camera) {
 
 }  // namespace
 
-void read_rendered(const fs::path& truth, EvalSet& set) {
-  set.rendered = true;
-  set.marks = truth.string();
+void read_rendered(const fs::path& truth, const std::string& prefix, EvalSet& set) {
   const CsvTable table(truth);
+  const CameraModel camera = io::read_camera(truth.parent_path() / "camera.yaml");
   const std::size_t image = table.needed("image"), range = table.needed("range_image");
   const std::size_t deepest_m = table.needed("deepest_range_m");
   for (std::size_t row = 0; row < table.size(); ++row) {
     EvalFrame frame;
-    frame.name = table.text(row, image);
-    frame.image = truth.parent_path() / frame.name;
+    frame.name = prefix + table.text(row, image);
+    frame.image = truth.parent_path() / table.text(row, image);
+    frame.camera = camera;
     frame.ranges = truth.parent_path() / table.text(row, range);
     frame.place = place_of(table, row, set.name);
     const double yaw_deg = table.number(row, table.column("yaw_deg"));
@@ -112,7 +112,6 @@ void read_rendered(const fs::path& truth, EvalSet& set) {
         throw io::InputError(table.place(row) + ": " + path.string() + " is not there");
     set.frames.push_back(std::move(frame));
   }
-  set.camera = io::read_camera(truth.parent_path() / "camera.yaml");
 }
 
 void complete_truth(EvalFrame& frame, const Camera& camera, const eval::ScoreConfig& config) {

@@ -21,7 +21,7 @@ class Jury {
     for (const Contender& contender : work.contenders) answerers_.push_back(contender.make());
   }
 
-  JudgedFrame judge(const EvalSet& set, EvalFrame& frame, std::uint64_t number) {
+  JudgedFrame judge(EvalFrame& frame, std::uint64_t number) {
     JudgedFrame judged;
     cv::Mat pixels;
     try {
@@ -30,14 +30,14 @@ class Jury {
       judged.fault = e.what();
       return judged;
     }
-    if (set.size && (set.size->first != pixels.cols || set.size->second != pixels.rows))
-      throw io::InputError(frame.image.string() + ": the image is " + std::to_string(pixels.cols) + "x" +
-                           std::to_string(pixels.rows) + " px, but " + set.marks + " was made for " +
-                           std::to_string(set.size->first) + "x" + std::to_string(set.size->second));
-    const auto& calibration = set.camera ? set.camera : work_->camera;
+    if (frame.size && (frame.size->first != pixels.cols || frame.size->second != pixels.rows))
+      throw io::ConfigError(frame.image.string() + ": the image is " + std::to_string(pixels.cols) + "x" +
+                            std::to_string(pixels.rows) + " px, but its marks were made for " +
+                            std::to_string(frame.size->first) + "x" + std::to_string(frame.size->second));
+    const auto& calibration = frame.camera ? frame.camera : work_->camera;
     const Camera camera(calibration ? *calibration : pinhole(pixels.cols, pixels.rows, work_->finder.assumed_hfov_deg));
     if (camera.model().width != pixels.cols || camera.model().height != pixels.rows)
-      throw io::InputError(frame.image.string() + ": the image is not of the size of its camera's calibration");
+      throw io::ConfigError(frame.image.string() + ": the image is not of the size of its camera's calibration");
     complete_truth(frame, camera, work_->score);
     judged.readable = true;
     judged.width = pixels.cols;
@@ -73,8 +73,7 @@ void judge_all(EvalWork& work, EvalResult& result) {
     for (std::size_t f = 0; f < work.sets[s].frames.size(); ++f)
       tasks.push_back(pool.submit([&, s, f, number = tasks.size()](int worker) {
         if (is_interrupted()) return;
-        result.frames[s][f] =
-            juries[static_cast<std::size_t>(worker)].judge(work.sets[s], work.sets[s].frames[f], number);
+        result.frames[s][f] = juries[static_cast<std::size_t>(worker)].judge(work.sets[s].frames[f], number);
       }));
   std::size_t done = 0;
   for (std::size_t s = 0; s < work.sets.size(); ++s)

@@ -1,0 +1,186 @@
+#include "eval_gallery.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "adit/io/errors.hpp"
+#include "adit/io/output_file.hpp"
+#include "eval_report.hpp"
+#include "pages.hpp"
+
+namespace adit::tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string base64_of(const std::vector<unsigned char>& bytes) {
+  constexpr const char* kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    unsigned triple = 0;
+    for (std::size_t k = 0; k < 3; ++k) triple = triple << 8 | (i + k < bytes.size() ? bytes[i + k] : 0u);
+    for (std::size_t k = 0; k < 4; ++k) text += i + k > bytes.size() ? '=' : kDigits[triple >> (18 - 6 * k) & 63];
+  }
+  return text;
+}
+
+/// Which answer a person looks at first: of the last method asked for.
+std::size_t chief_row(const SetResult& set) {
+  std::size_t chief = 0;
+  for (std::size_t row = 0; row < set.methods.size(); ++row)
+    if (!set.methods[row].baseline) chief = row;
+  return chief;
+}
+
+int rank_of(eval::Verdict verdict) {
+  switch (verdict) {
+    case eval::Verdict::kMiss:
+    case eval::Verdict::kAnsweredNone:
+      return 0;
+    case eval::Verdict::kRefusedOpen:
+      return 1;
+    case eval::Verdict::kNotCounted:
+      return 2;
+    case eval::Verdict::kRefusedNone:
+      return 3;
+    case eval::Verdict::kHit:
+      return 4;
+  }
+  return 5;
+}
+
+struct Card {
+  int rank;
+  double error_rad;
+  std::string html;
+};
+
+/// The worst first: a wrong heading before a needless refusal.
+std::string cards_of(const EvalWork& work, const EvalResult& result, const fs::path& thumbs) {
+  std::vector<Card> cards;
+  for (const SetResult& set : result.sets) {
+    if (set.sets.size() > 1) continue;
+    const std::size_t s = set.sets.front();
+    const std::size_t chief = set.methods[chief_row(set)].contender.front();
+    for (std::size_t f = 0; f < result.frames[s].size(); ++f) {
+      const JudgedFrame& judged = result.frames[s][f];
+      if (!judged.readable) continue;
+      std::string picture = "data:image/jpeg;base64,";
+      if (thumbs.empty()) {
+        picture += base64_of(judged.thumbnail);
+      } else {
+        const std::string name = fmt::format("{:02}_{:05}.jpg", s, f);
+        io::write_file(thumbs / name,
+                       {reinterpret_cast<const char*>(judged.thumbnail.data()), judged.thumbnail.size()});
+        picture = "thumbs/" + name;
+      }
+      const eval::FrameScore& score = judged.methods[chief].score;
+      cards.push_back({rank_of(score.verdict), std::isnan(score.error_rad) ? 0.0 : score.error_rad,
+                       frame_card(work.sets[s].frames[f], judged, set, picture)});
+    }
+  }
+  std::stable_sort(cards.begin(), cards.end(), [](const Card& a, const Card& b) {
+    return a.rank != b.rank ? a.rank < b.rank : a.error_rad > b.error_rad;
+  });
+  std::string html;
+  for (const Card& card : cards) html += card.html;
+  return html;
+}
+
+std::string diagrams_of(const EvalResult& result) {
+  std::string html;
+  const SetResult& all = result.sets.back();
+  for (std::size_t row = 0; row < all.methods.size(); ++row)
+    if (!all.methods[row].figures.reliability.empty())
+      html += reliability_diagram(all.methods[row].name, all.methods[row].figures, method_colour(row));
+  return html;
+}
+
+/// Which methods are drawn, and by whose failures the frames are ordered.
+std::string methods_of(const SetResult& set) {
+  const std::size_t chief = chief_row(set);
+  std::string boxes, choices;
+  for (std::size_t row = 0; row < set.methods.size(); ++row) {
+    const MethodResult& m = set.methods[row];
+    boxes += fmt::format(
+        "<label><input type=\"checkbox\" name=\"show\" value=\"{}\"{}><i style=\"background:{}\"></i>"
+        "{}</label>\n",
+        row, m.baseline ? "" : " checked", method_colour(row), html_of(m.name));
+    choices += fmt::format("<option value=\"{}\"{}>{}</option>", row, row == chief ? " selected" : "", html_of(m.name));
+  }
+  return boxes + "<label>failures of <select id=\"chief\">" + choices + "</select> first</label>\n";
+}
+
+std::string sets_of(const EvalResult& result) {
+  std::string html;
+  for (const SetResult& set : result.sets)
+    if (set.sets.size() == 1) html += "<option>" + html_of(set.name) + "</option>";
+  return html;
+}
+
+std::string filled(std::string page, const std::vector<std::pair<std::string, std::string>>& parts) {
+  for (const auto& [name, text] : parts)
+    if (const std::size_t at = page.find(name); at != std::string::npos) page.replace(at, name.size(), text);
+  return page;
+}
+
+void make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error || !fs::is_directory(folder, error))
+    throw io::OutputError(folder.string() +
+                          ": this folder cannot be made: " + (error ? error.message() : "a file has its name"));
+}
+
+}  // namespace
+
+const char* method_colour(std::size_t row) noexcept {
+  // Told apart on dark rock, most of them by the colour-blind too.
+  constexpr std::array kColours{"#ff5a4f", "#35c4ff", "#ffd23f", "#7cf27c", "#ff8ef3",
+                                "#ff9f40", "#c9b6ff", "#ffffff", "#9be7d8", "#d7b98e"};
+  return kColours[row % kColours.size()];
+}
+
+std::string html_of(std::string_view text) {
+  std::string html;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        html += "&amp;";
+        break;
+      case '<':
+        html += "&lt;";
+        break;
+      case '>':
+        html += "&gt;";
+        break;
+      case '"':
+        html += "&quot;";
+        break;
+      case '\'':
+        html += "&#39;";
+        break;
+      default:
+        html += c;
+    }
+  }
+  return html;
+}
+
+void write_gallery(const fs::path& path, const EvalWork& work, const EvalResult& result) {
+  const bool one_file = path.extension() == ".html";
+  const fs::path thumbs = one_file ? fs::path() : path / "thumbs";
+  if (!one_file) make_folder(thumbs);
+  // The cards last: what stands in them is not looked through for names of parts.
+  const std::string page = filled(std::string(gallery_page()), {{"@SUMMARY@", html_of(eval_text(work, result))},
+                                                                {"@DIAGRAMS@", diagrams_of(result)},
+                                                                {"@METHODS@", methods_of(result.sets.back())},
+                                                                {"@SETS@", sets_of(result)},
+                                                                {"@CARDS@", cards_of(work, result, thumbs)}});
+  io::write_file(one_file ? path : path / "index.html", page);
+}
+
+}  // namespace adit::tools

@@ -19,12 +19,16 @@ StructuringElement element_of(const FinderConfig& config, int width) {
 
 }  // namespace
 
-Workspace::Workspace(const FinderConfig& config, int width_px, int height_px)
+Workspace::Workspace(const FinderConfig& config, const Camera* camera, int width_px, int height_px)
     : width(width_px),
       height(height_px),
       patch(patch_of(config, width_px)),
       element(element_of(config, width_px)),
       assumed_camera(pinhole(width_px, height_px, config.assumed_hfov_deg)) {
+  if (config.method == Method::kAdit) {
+    adit.emplace(config, camera != nullptr ? *camera : assumed_camera, width, height);
+    return;
+  }
   const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   scratch.reserve(width, height, patch);
   scratch.reserve(width, height, element);
@@ -54,7 +58,7 @@ void OpenSpaceFinder::Chain::reserve(int width, int height) {
     throw std::invalid_argument(range_fault("height", height, kSideMin_px, kSideMax_px, "px"));
   if (workspace && workspace->width == width && workspace->height == height) return;
   workspace.reset();  // first: two sets of buffers of a large frame need not fit
-  workspace.emplace(config, width, height);
+  workspace.emplace(config, calibrated_camera ? &*calibrated_camera : nullptr, width, height);
 }
 
 }  // namespace adit

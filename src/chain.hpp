@@ -9,12 +9,14 @@
 #include "adit/finder.hpp"
 #include "adit/morphology.hpp"
 #include "adit/region.hpp"
+#include "adit_chain.hpp"
 
 namespace adit {
 
 /// Buffers and elements for frames of one size. Made whole or not at all.
 struct Workspace {
-  Workspace(const FinderConfig& config, int width_px, int height_px);
+  /// @param camera  the calibrated one, or null.
+  Workspace(const FinderConfig& config, const Camera* camera, int width_px, int height_px);
 
   [[nodiscard]] PlaneView dark() noexcept { return {dark_pixels.data(), width, height, width}; }
   [[nodiscard]] PlaneView closed() noexcept { return {closed_pixels.data(), width, height, width}; }
@@ -30,6 +32,7 @@ struct Workspace {
   std::vector<std::uint32_t> columns;
   LevelTable transmission{};  ///< of the last frame, as is the next
   LevelTable depth{};
+  std::optional<AditChain> adit;  ///< only for that method; it needs none of the planes above
 };
 
 struct OpenSpaceFinder::Chain {

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "chain.hpp"
+#include "opening_extent.hpp"
 
 namespace adit {
 namespace {
@@ -75,17 +76,6 @@ Status verdict_on(const OpenSpace& seen, const FinderConfig& config) noexcept {
   return Status::kFound;
 }
 
-/// Half the angles that the box takes up, measured through the opening's own centre.
-void note_extent(const Camera& camera, Opening& opening) noexcept {
-  const Pixel mean = opening.centroid_px;
-  const Bearing left = camera.bearing_of({opening.top_left_px.u_px, mean.v_px});
-  const Bearing right = camera.bearing_of({opening.bottom_right_px.u_px, mean.v_px});
-  const Bearing top = camera.bearing_of({mean.u_px, opening.top_left_px.v_px});
-  const Bearing bottom = camera.bearing_of({mean.u_px, opening.bottom_right_px.v_px});
-  opening.half_width_rad = 0.5 * (right.azimuth_rad - left.azimuth_rad);
-  opening.half_height_rad = 0.5 * (top.elevation_rad - bottom.elevation_rad);
-}
-
 /// The box that the spread suggests: an upright rectangle with these second moments reaches sqrt(3) sigma from its
 /// mean.
 void note_box(const ImageView& frame, const Moments& moments, const Camera& camera, Opening& opening) noexcept {
@@ -147,6 +137,11 @@ OpenSpace OpenSpaceFinder::find(const ImageView& frame) noexcept {
   StageClock clock(out);
   out.status = chain_->admit(frame);
   if (out.status != Status::kFound) return out;
+  if (chain_->config.method == Method::kAdit) {
+    chain_->workspace->adit->find(frame, chain_->config, chain_->camera(), out);
+    clock.lap(Stage::kMoments);
+    return out;
+  }
   const FinderConfig& config = chain_->config;
   Workspace& work = *chain_->workspace;
 

@@ -13,7 +13,7 @@ constexpr std::array<std::string_view, kStatusCount> kStatusNames{
     "wrong_size", "no_opening", "blocked_lens", "dust",        "frozen_frame", "torn_frame"};
 constexpr std::array<std::string_view, kRuleCount> kRuleNames{"none", "darkest_cluster", "enclosed", "open_sided",
                                                               "flash"};
-constexpr std::array<std::string_view, 1> kMethodNames{"paper"};
+constexpr std::array<std::string_view, 2> kMethodNames{"paper", "adit"};
 constexpr std::array<std::string_view, 2> kClusteringNames{"exact", "lloyd"};
 constexpr std::array<std::string_view, kStageCount> kStageNames{"dark_channel", "scattering_depth", "closing",
                                                                 "clusters", "moments"};

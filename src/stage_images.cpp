@@ -40,6 +40,13 @@ OpenSpace OpenSpaceFinder::explain(const ImageView& frame, StageImages& images) 
   images = {};
   const OpenSpace out = find(frame);
   if (out.status == Status::kBadFrame || out.status == Status::kWrongSize) return out;
+  if (chain_->config.method == Method::kAdit) {
+    FinderConfig published = chain_->config;
+    published.method = Method::kPaper;
+    (void)OpenSpaceFinder(published).explain(frame, images);
+    chain_->workspace->adit->draw(images);
+    return out;
+  }
   const Workspace& work = *chain_->workspace;
   images.width = work.width;
   images.height = work.height;

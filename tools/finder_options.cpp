@@ -16,7 +16,7 @@ void add_configuration_options(CLI::App& subcommand, FinderOptions& options) {
 }
 
 void add_finder_options(CLI::App& subcommand, FinderOptions& options) {
-  subcommand.add_option("--method", options.method, "Chain of stages: paper")->type_name("NAME");
+  subcommand.add_option("--method", options.method, "Chain of stages: paper, adit")->type_name("NAME");
   add_configuration_options(subcommand, options);
   subcommand.add_option("--camera", options.camera_file, "Calibration, a ROS camera_info file")->type_name("FILE.yaml");
 }
@@ -26,7 +26,7 @@ io::Configuration configuration_of(const FinderOptions& options) {
   if (!options.config_file.empty()) io::read_configuration(options.config_file, configuration);
   if (!options.method.empty()) {
     if (!parse(options.method, configuration.finder.method)) {
-      throw CLI::ValidationError("--method", "'" + options.method + "' is not known; known are: paper");
+      throw CLI::ValidationError("--method", "'" + options.method + "' is not known; known are: paper, adit");
     }
   }
   for (const std::string& setting : options.settings) io::set_field(setting, configuration);

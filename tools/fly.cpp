@@ -55,7 +55,7 @@ void add_flight_options(CLI::App& fly, Options& options) {
       ->type_name("M/S")
       ->check(CLI::Range(0.05, 10.0));
   fly.add_option("--time", options.fly.time_s, "At the most (120)")->type_name("S")->check(CLI::Range(0.1, 36000.0));
-  fly.add_option("--method", options.fly.method, "Chain of stages: paper")->type_name("NAME");
+  fly.add_option("--method", options.fly.method, "Chain of stages: paper, adit")->type_name("NAME");
   fly.add_option("--config", options.fly.config_file, "Settings by section; see docs/simulation.md")
       ->type_name("FILE.yaml");
   fly.add_option("--set", options.fly.settings, "One setting, over those of --config; repeatable")

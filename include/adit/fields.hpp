@@ -24,7 +24,9 @@ struct FieldNote {
 template <class Config, class Visitor>
 requires std::is_same_v<std::remove_const_t<Config>, FinderConfig>
 void visit_fields(Config& c, Visitor&& visit) {
-  visit(FieldNote{"method", "", 0, 0, "Chain of stages that answers.", "paper: as published"}, c.method);
+  visit(FieldNote{"method", "", 0, 1, "Chain of stages that answers: paper or adit.",
+                  "paper: as published; adit: docs/method.md"},
+        c.method);
   visit(FieldNote{"patch_size_px", "px", 0, 1023,
                   "Side of the dark channel's patch, odd; 0 takes patch_size_vga_px scaled with the frame's width.",
                   "eq. 3", true},
@@ -90,6 +92,34 @@ void visit_fields(Config& c, Visitor&& visit) {
   visit(FieldNote{"area_fraction_min", "", 0, 1, "no_region when the darkest cluster is a smaller share of the frame.",
                   "what a dead pixel makes with patch and element (0.0006), with a margin of three"},
         c.area_fraction_min);
+  visit(FieldNote{"light_gamma", "", 0.2, 5, "Exponent from grey level to light; 1 for a linear camera. Method adit.",
+                  "IEC 61966-2-1 (sRGB): 2.2"},
+        c.light_gamma);
+  visit(FieldNote{"noise_level", "level", 0, 64,
+                  "Grey levels that noise adds; darker places count as equally dark. Method adit.",
+                  "mean of sixteen pixels, smallest of three noisy colours, at full gain: 2 to 4"},
+        c.noise_level);
+  visit(FieldNote{"horizon_spread_deg", "deg", 1, 90,
+                  "How far from the horizon openings are expected (one standard deviation). Method adit.",
+                  "passages rise or fall by some degrees, vehicles pitch by as much; tunnel_practice_2 ramps: 14 deg"},
+        c.horizon_spread_deg);
+  visit(
+      FieldNote{"horizon_floor", "", 0, 1, "Weight of a place far from the horizon; 1: all places alike. Method adit.",
+                "a steep way on is still found where nothing else is"},
+      c.horizon_floor);
+  visit(FieldNote{"opening_strength_min", "", 0, 4,
+                  "no_opening when the best place is weaker: stops of rise times the root of its share of the frame. "
+                  "Method adit.",
+                  "one stop over a twentieth of the frame: stains, cables and their shadows stay below"},
+        c.opening_strength_min);
+  visit(FieldNote{"strength_even", "", 0.001, 10,
+                  "Strength at which an opening is as likely right as wrong. Method adit.",
+                  "docs/method.md, calibration"},
+        c.strength_even);
+  visit(FieldNote{"strength_spread", "", 0.01, 10,
+                  "Natural logarithm of strength over which the odds grow by e. Method adit.",
+                  "docs/method.md, calibration"},
+        c.strength_spread);
 }
 
 /// See above.

@@ -18,7 +18,10 @@
 namespace adit {
 
 /// Which chain of stages answers.
-enum class Method { kPaper };  ///< kPaper: as published
+enum class Method {
+  kPaper,  ///< as published
+  kAdit,   ///< the dark place that lit rock encloses
+};
 
 /// How the grey levels are clustered.
 enum class Clustering { kExact, kLloyd };
@@ -47,6 +50,14 @@ struct FinderConfig {
   int too_bright_level_min = 200;
   int contrast_levels_min = 4;
   double area_fraction_min = 0.002;
+  // Method `adit` only:
+  double light_gamma = 2.2;
+  double noise_level = 3.5;
+  double horizon_spread_deg = 12.0;
+  double horizon_floor = 0.15;
+  double opening_strength_min = 0.22;
+  double strength_even = 0.35;
+  double strength_spread = 0.5;
 };
 
 /// Why a configuration is refused: "omega: 1.5 is not in [0.01, 1]; set a value in this range".
@@ -181,9 +192,13 @@ struct StageImages {
   std::vector<std::uint8_t> closing_level;  ///< the same as grey levels of the closed dark channel
   std::vector<std::uint8_t> cluster;        ///< 0 is the darkest; empty if no clusters were made
   std::vector<std::uint8_t> binary;         ///< 255 in the darkest cluster, else 0; empty if no clusters were made
+  // Method `adit` only, else empty; the stages above are then those of `paper` on the same frame, for comparison:
+  std::vector<float> light;      ///< of the scene, stops below full scale, on the method's coarse grid
+  std::vector<float> enclosure;  ///< score map: stops by which lit rock rises about a place, weighted by elevation
+  std::vector<std::uint8_t> openings;  ///< 1 in the best opening, 2 in the next, ...; 0 elsewhere
 };
 
-/// The chain of the paper. Has no memory from frame to frame but its buffers: a frame is judged alone.
+/// The chain of stages. Has no memory from frame to frame but its buffers: a frame is judged alone.
 /// One object per thread; different objects are independent.
 class OpenSpaceFinder {
  public:

@@ -14,20 +14,20 @@ std::atomic<long> allocations{0};
 std::atomic<bool> memory_is_out{false};
 }  // namespace
 
-void* operator new(std::size_t size) {
+// Not inlined, none of the six: GCC would see malloc() or free() beside one that it has not inlined, and warn.
+[[gnu::noinline]] void* operator new(std::size_t size) {
   ++allocations;
   if (memory_is_out) throw std::bad_alloc();
   if (void* memory = std::malloc(size > 0 ? size : 1)) return memory;
   throw std::bad_alloc();
 }
-void* operator new(std::size_t size, std::align_val_t alignment) {
+[[gnu::noinline]] void* operator new(std::size_t size, std::align_val_t alignment) {
   ++allocations;
   if (memory_is_out) throw std::bad_alloc();
   const auto align = static_cast<std::size_t>(alignment);
   if (void* memory = std::aligned_alloc(align, (size + align - 1) / align * align)) return memory;
   throw std::bad_alloc();
 }
-// Not inlined: GCC would see free() beside an operator new that it has not inlined, and warn of a mismatch.
 [[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
 [[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 [[gnu::noinline]] void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
@@ -72,6 +72,20 @@ TEST(Allocation, NoneAtAllAfterReserve) {
   OpenSpaceFinder finder;
   finder.reserve(160, 120);
   EXPECT_EQ(allocations_during([&] { (void)finder.find(frame.view()); }), 0);
+}
+
+TEST(Allocation, NoneByTheMethodAdit) {
+  const test::Frame frame = test::coloured_tunnel({});
+  const test::Frame wall = test::noise(160, 120, PixelFormat::kBgr8, 3);
+  FinderConfig config;
+  config.method = Method::kAdit;
+  OpenSpaceFinder finder(config);
+  finder.reserve(160, 120);
+  EXPECT_EQ(allocations_during([&] {
+              (void)finder.find(frame.view());
+              (void)finder.find(wall.view());
+            }),
+            0);
 }
 
 TEST(Allocation, NoneInTheController) {

@@ -31,7 +31,7 @@ void expect_names_lead_back(int count) {
 TEST(Names, LeadBack) {
   expect_names_lead_back<Status>(kStatusCount);
   expect_names_lead_back<Rule>(kRuleCount);
-  expect_names_lead_back<Method>(1);
+  expect_names_lead_back<Method>(2);
   expect_names_lead_back<Clustering>(2);
   expect_names_lead_back<DistortionModel>(4);
 }

@@ -249,7 +249,7 @@ TEST(Eval, WrongUsageAndMissingFiles) {
     std::string says;
   } faults[] = {
       {{}, 2, "dataset"},
-      {{set, "--method", "magic"}, 2, "known are: paper"},
+      {{set, "--method", "magic"}, 2, "known are: paper, adit"},
       {{set, "--table", "short.csv"}, 2, "NAME=FILE.csv"},
       {{set, "--table", "paper=" + (folder / "words.csv").string()}, 2, "name of another method"},
       {{set, "--resamples", "1"}, 2, "--resamples"},

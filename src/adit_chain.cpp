@@ -1,0 +1,158 @@
+#include "adit_chain.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "opening_extent.hpp"
+
+namespace adit {
+namespace {
+
+/// A rise beyond this adds nothing: four stops are a range four times as long, which is as open as open gets, and a
+/// foreign lamp on the rim is not to make its surroundings the best place.
+constexpr int kRiseMax = 4 * kStop;
+
+/// Weight of an elevation, 0 to 256.
+std::int16_t weight_of(double elevation_rad, const FinderConfig& config) {
+  const double spread_rad = config.horizon_spread_deg * std::numbers::pi / 180.0;
+  const double bell = std::exp(-0.5 * elevation_rad * elevation_rad / (spread_rad * spread_rad));
+  return static_cast<std::int16_t>(std::lround(256.0 * (config.horizon_floor + (1.0 - config.horizon_floor) * bell)));
+}
+
+double confidence_of(double strength, const FinderConfig& config) noexcept {
+  return 1.0 / (1.0 + std::pow(config.strength_even / strength, 1.0 / config.strength_spread));
+}
+
+template <class Value, class Of>
+std::vector<Value> enlarged(const CellGrid& grid, int width, int height, Of&& of) {
+  std::vector<Value> out(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  for (int cell_v = 0; cell_v < grid.height(); ++cell_v) {
+    for (int cell_u = 0; cell_u < grid.width(); ++cell_u) {
+      const Value value = of(cell_u, cell_v);
+      for (int v = grid.first_v(cell_v); v < grid.first_v(cell_v + 1); ++v) {
+        Value* row = out.data() + static_cast<std::ptrdiff_t>(v) * width;
+        std::fill(row + grid.first_u(cell_u), row + grid.first_u(cell_u + 1), value);
+      }
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+AditChain::AditChain(const FinderConfig& config, const Camera& camera, int frame_width_px, int frame_height_px)
+    : frame_width_px_(frame_width_px),
+      frame_height_px_(frame_height_px),
+      grid_(frame_width_px, frame_height_px),
+      rows_(frame_width_px),
+      filter_(grid_.width(), grid_.height()),
+      enclosing_(grid_.width(), grid_.height()),
+      search_(grid_.width(), grid_.height()),
+      level_(grid_.width(), grid_.height()),
+      cleaned_(level_),
+      light_(level_),
+      map_(level_) {
+  make_light_table(config.light_gamma, config.noise_level, table_);
+  elevation_weight_.reserve(static_cast<std::size_t>(grid_.height()));
+  const double middle_u_px = 0.5 * (frame_width_px - 1);
+  for (int v = 0; v < grid_.height(); ++v) {
+    elevation_weight_.push_back(weight_of(camera.bearing_of({middle_u_px, grid_.v_px(v)}).elevation_rad, config));
+  }
+}
+
+void AditChain::find(const ImageView& frame, const FinderConfig& config, const Camera& camera,
+                     OpenSpace& out) noexcept {
+  reduce(frame, config.grey16_depth_bits, grid_, rows_, level_);
+  cleaned_.values = level_.values;
+  erode_3(cleaned_, filter_);  // specks of light smaller than three cells go: reflectors, lamps far away
+  dilate_3(cleaned_, filter_);
+  dilate_5(cleaned_, filter_);  // dark lines thinner than five cells go: cables, pipes, cracks
+  erode_5(cleaned_, filter_);
+  blur(cleaned_, filter_);
+  note_levels(out);
+  look_up(cleaned_, table_, light_);
+  enclosure_of(light_, enclosing_, map_);
+  weigh_by_elevation();
+  candidates_ = search_openings(map_, search_);
+  if (out.atmospheric_light < config.too_dark_light_max) {
+    out.status = Status::kTooDark;
+  } else if (out.darkest_level >= config.too_bright_level_min) {
+    out.status = Status::kTooBright;
+  } else if (out.brightest_level - out.darkest_level < config.contrast_levels_min) {
+    out.status = Status::kNoContrast;
+  } else {
+    note_openings(config, camera, out);
+  }
+}
+
+void AditChain::weigh_by_elevation() noexcept {
+  for (int v = 0; v < map_.height; ++v) {
+    std::int16_t* const row = map_.row(v);
+    const int weight = elevation_weight_[static_cast<std::size_t>(v)];
+    for (int u = 0; u < map_.width; ++u)
+      row[u] = static_cast<std::int16_t>((std::min<int>(row[u], kRiseMax) * weight) >> 8);
+  }
+  blur(map_, filter_);  // twice: a standard deviation of 1.4 cells, so that a peak is of a place and not of noise
+  blur(map_, filter_);
+}
+
+void AditChain::note_levels(OpenSpace& out) noexcept {
+  const auto [least, most] = std::minmax_element(cleaned_.values.begin(), cleaned_.values.end());
+  out.darkest_level = *least / kLevelParts;
+  out.brightest_level = *most / kLevelParts;
+  out.threshold_level = out.darkest_level;
+  out.atmospheric_light = static_cast<double>(*most) / kLevelParts;
+}
+
+void AditChain::note_openings(const FinderConfig& config, const Camera& camera, OpenSpace& out) noexcept {
+  const double cells = static_cast<double>(grid_.width()) * grid_.height();
+  for (int i = 0; i < candidates_.count; ++i) {
+    const Candidate& from = candidates_.list[static_cast<std::size_t>(i)];
+    if (from.strength < config.opening_strength_min) break;
+    Opening& to = out.openings[static_cast<std::size_t>(out.opening_count++)];
+    to.centroid_px = {grid_.u_px(from.u), grid_.v_px(from.v)};
+    to.point = camera.normalised_of(to.centroid_px);
+    to.bearing = camera.bearing_of(to.centroid_px);
+    to.area_fraction = from.cells / cells;
+    to.score = std::min(1.0, from.strength / 4.0);
+    to.confidence = confidence_of(from.strength, config);
+    to.contrast = 1.0 - std::exp2(-static_cast<double>(from.peak) / kStop);
+    to.top_left_px = {static_cast<double>(grid_.first_u(from.left)), static_cast<double>(grid_.first_v(from.top))};
+    to.bottom_right_px = {grid_.first_u(from.right + 1) - 1.0, grid_.first_v(from.bottom + 1) - 1.0};
+    to.touches_border =
+        from.left == 0 || from.top == 0 || from.right + 1 == grid_.width() || from.bottom + 1 == grid_.height();
+    note_extent(camera, to);
+  }
+  if (out.opening_count == 0) {
+    out.status = Status::kNoOpening;
+    return;
+  }
+  const Opening& best = out.openings[0];
+  out.status = Status::kFound;
+  out.rule = best.touches_border ? Rule::kOpenSided : Rule::kEnclosed;
+  out.confidence = best.confidence;
+  out.centroid_px = best.centroid_px;
+  out.point = best.point;
+  out.bearing = best.bearing;
+  out.area_fraction = best.area_fraction;
+}
+
+void AditChain::draw(StageImages& images) const {
+  const auto stops = [](const CellPlane& plane) {
+    return [&plane](int u, int v) { return static_cast<float>(plane.row(v)[u]) / kStop; };
+  };
+  images.light = enlarged<float>(grid_, frame_width_px_, frame_height_px_, stops(light_));
+  images.enclosure = enlarged<float>(grid_, frame_width_px_, frame_height_px_, stops(map_));
+  std::array<std::uint8_t, 256> rank{};
+  for (int i = 0; i < candidates_.count; ++i) {
+    const Candidate& c = candidates_.list[static_cast<std::size_t>(i)];
+    rank[c.owner] = static_cast<std::uint8_t>(i + 1);
+  }
+  images.openings = enlarged<std::uint8_t>(grid_, frame_width_px_, frame_height_px_, [&](int u, int v) {
+    return rank[search_.owner[static_cast<std::size_t>(v) * static_cast<std::size_t>(grid_.width()) +
+                              static_cast<std::size_t>(u)]];
+  });
+}
+
+}  // namespace adit

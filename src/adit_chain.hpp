@@ -1,0 +1,43 @@
+// The chain of stages of the method `adit`: a row of named calls on a small grid.
+#pragma once
+
+#include "adit/camera.hpp"
+#include "adit/finder.hpp"
+#include "enclosure.hpp"
+#include "opening_search.hpp"
+
+namespace adit {
+
+/// Buffers and tables of the method for frames of one size.
+class AditChain {
+ public:
+  AditChain(const FinderConfig& config, const Camera& camera, int frame_width_px, int frame_height_px);
+
+  /// Judges a frame of the size given; fills in everything of `out` but the times. Allocates nothing.
+  void find(const ImageView& frame, const FinderConfig& config, const Camera& camera, OpenSpace& out) noexcept;
+
+  /// The pictures of the frame judged last, enlarged to its size.
+  void draw(StageImages& images) const;
+
+ private:
+  void weigh_by_elevation() noexcept;
+  void note_levels(OpenSpace& out) noexcept;
+  void note_openings(const FinderConfig& config, const Camera& camera, OpenSpace& out) noexcept;
+
+  int frame_width_px_;
+  int frame_height_px_;
+  CellGrid grid_;
+  ReductionRows rows_;
+  FilterScratch filter_;
+  EnclosureScratch enclosing_;
+  SearchScratch search_;
+  LightTable table_{};
+  std::vector<std::int16_t> elevation_weight_;  ///< of each row of cells, 0 to 256
+  CellPlane level_;                             ///< parts of a grey level
+  CellPlane cleaned_;                           ///< without specks and thin lines
+  CellPlane light_;                             ///< parts of a stop
+  CellPlane map_;                               ///< enclosure, weighted and smoothed
+  Candidates candidates_;
+};
+
+}  // namespace adit

@@ -1,0 +1,136 @@
+#include "opening_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace adit {
+namespace {
+
+/// A peak below this, parts of a stop, is not looked at: paint and stains on one wall differ by as much.
+constexpr int kPeakMin = kStop / 4;
+
+/// Flood fill over the four neighbours of a cell.
+class Flood {
+ public:
+  Flood(const CellPlane& map, SearchScratch& scratch) noexcept : map_(map), scratch_(scratch) {}
+
+  /// Takes the cells that are nobody's, connected with `start`, with at least `level`.
+  Candidate region(std::int32_t start, int level, std::uint8_t owner) noexcept {
+    Candidate out;
+    out.left = map_.width;
+    out.top = map_.height;
+    double weights = 0.0;
+    length_ = 0;
+    push(start, owner);
+    for (std::size_t at = 0; at < length_; ++at) {
+      const std::int32_t cell = scratch_.queue[at];
+      add(cell, out, weights);
+      each_neighbour(cell, [&](std::int32_t next) {
+        if (owner_of(next) == 0 && value(next) >= level) push(next, owner);
+      });
+    }
+    out.u /= weights;
+    out.v /= weights;
+    return out;
+  }
+
+  /// From the region just taken, the cells downhill.
+  void slope() noexcept {
+    for (std::size_t at = 0; at < length_; ++at) {
+      const std::int32_t cell = scratch_.queue[at];
+      each_neighbour(cell, [&](std::int32_t next) {
+        if (owner_of(next) == 0 && value(next) <= value(cell)) push(next, kSlope);
+      });
+    }
+  }
+
+ private:
+  [[nodiscard]] int value(std::int32_t cell) const noexcept { return map_.values[static_cast<std::size_t>(cell)]; }
+  [[nodiscard]] std::uint8_t& owner_of(std::int32_t cell) noexcept {
+    return scratch_.owner[static_cast<std::size_t>(cell)];
+  }
+  void push(std::int32_t cell, std::uint8_t owner) noexcept {
+    owner_of(cell) = owner;
+    scratch_.queue[length_++] = cell;
+  }
+  template <class Visit>
+  void each_neighbour(std::int32_t cell, Visit&& visit) noexcept {
+    const int u = cell % map_.width;
+    if (u > 0) visit(cell - 1);
+    if (u + 1 < map_.width) visit(cell + 1);
+    if (cell >= map_.width) visit(cell - map_.width);
+    if (cell + map_.width < map_.width * map_.height) visit(cell + map_.width);
+  }
+  void add(std::int32_t cell, Candidate& out, double& weights) noexcept {
+    const int u = cell % map_.width, v = cell / map_.width;
+    const double weight = static_cast<double>(value(cell)) * value(cell);
+    out.u += weight * u;
+    out.v += weight * v;
+    weights += weight;
+    out.left = std::min(out.left, u);
+    out.right = std::max(out.right, u);
+    out.top = std::min(out.top, v);
+    out.bottom = std::max(out.bottom, v);
+    ++out.cells;
+    out.peak = std::max(out.peak, value(cell));
+  }
+
+  const CellPlane& map_;
+  SearchScratch& scratch_;
+  std::size_t length_ = 0;
+};
+
+void note_row_peak(const CellPlane& map, int v, SearchScratch& scratch) noexcept {
+  const std::int16_t* row = map.row(v);
+  const std::uint8_t* owner = scratch.owner.data() + static_cast<std::ptrdiff_t>(v) * map.width;
+  std::int16_t peak = 0;
+  for (int u = 0; u < map.width; ++u) {
+    const std::int16_t free = owner[u] == 0 ? row[u] : std::int16_t{0};
+    peak = peak < free ? free : peak;
+  }
+  scratch.row_peak[static_cast<std::size_t>(v)] = peak;
+}
+
+/// The first of the highest cells that are nobody's; -1 when none is high enough.
+std::int32_t highest(const CellPlane& map, const SearchScratch& scratch) noexcept {
+  const auto best = std::max_element(scratch.row_peak.begin(), scratch.row_peak.end());
+  if (*best < kPeakMin) return -1;
+  const auto first = static_cast<std::int32_t>(best - scratch.row_peak.begin()) * map.width;
+  for (std::int32_t cell = first;; ++cell) {
+    const auto at = static_cast<std::size_t>(cell);
+    if (scratch.owner[at] == 0 && map.values[at] == *best) return cell;
+  }
+}
+
+}  // namespace
+
+SearchScratch::SearchScratch(int width, int height)
+    : owner(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)),
+      queue(owner.size()),
+      row_peak(static_cast<std::size_t>(height)) {}
+
+Candidates search_openings(const CellPlane& map, SearchScratch& scratch) noexcept {
+  Candidates out;
+  std::fill(scratch.owner.begin(), scratch.owner.end(), std::uint8_t{0});
+  Flood flood(map, scratch);
+  while (out.count < kOpeningCountMax) {
+    for (int v = 0; v < map.height; ++v) note_row_peak(map, v, scratch);
+    const std::int32_t top = highest(map, scratch);
+    if (top < 0) break;
+    const int half = (map.values[static_cast<std::size_t>(top)] + 1) / 2;
+    Candidate& found = out.list[static_cast<std::size_t>(out.count)];
+    found = flood.region(top, half, static_cast<std::uint8_t>(out.count + 1));
+    found.owner = static_cast<std::uint8_t>(out.count + 1);
+    flood.slope();
+    const double share = static_cast<double>(found.cells) / (static_cast<double>(map.width) * map.height);
+    found.strength = static_cast<double>(found.peak) / kStop * std::sqrt(share);
+    ++out.count;
+  }
+  // std::stable_sort would allocate; equal strengths go by place.
+  std::sort(out.list.begin(), out.list.begin() + out.count, [](const Candidate& a, const Candidate& b) {
+    return a.strength != b.strength ? a.strength > b.strength : a.v != b.v ? a.v < b.v : a.u < b.u;
+  });
+  return out;
+}
+
+}  // namespace adit

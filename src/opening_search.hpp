@@ -1,0 +1,42 @@
+// From a map of enclosure to a list of places.
+#pragma once
+
+#include <array>
+
+#include "adit/finder.hpp"
+#include "cell_filters.hpp"
+
+namespace adit {
+
+/// A place on the grid that may be an opening.
+struct Candidate {
+  double u = 0.0;  ///< centroid, cells, weighted with the square of the score map
+  double v = 0.0;  ///< cells
+  int left = 0;    ///< box about it, cells, both ends inside
+  int right = 0;
+  int top = 0;
+  int bottom = 0;
+  int cells = 0;           ///< area
+  std::uint8_t owner = 0;  ///< its mark in SearchScratch::owner
+  int peak = 0;            ///< largest value of the score map in it, parts of a stop
+  double strength = 0.0;   ///< peak in stops times the square root of its share of the frame: deep and wide
+};
+
+struct SearchScratch {
+  SearchScratch(int width, int height);
+  std::vector<std::uint8_t> owner;  ///< 0 nobody's; i + 1 in candidate i; kSlope on the way down from one
+  std::vector<std::int32_t> queue;
+  std::vector<std::int16_t> row_peak;  ///< largest value that is nobody's
+};
+inline constexpr std::uint8_t kSlope = 255;
+
+struct Candidates {
+  std::array<Candidate, kOpeningCountMax> list{};
+  int count = 0;
+};
+
+/// The places of the map, the strongest first: cells about a peak with at least half its value, connected. Cells
+/// on the way down from a place belong to nobody else, so that the rim of one is not taken for another.
+[[nodiscard]] Candidates search_openings(const CellPlane& map, SearchScratch& scratch) noexcept;
+
+}  // namespace adit

@@ -1,0 +1,83 @@
+#include "reduced_frame.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "kernels/pixel_loops.hpp"
+
+namespace adit {
+namespace {
+
+std::vector<int> bounds(int length_px, int cells) {
+  std::vector<int> first(static_cast<std::size_t>(cells) + 1);
+  for (int i = 0; i <= cells; ++i) {
+    first[static_cast<std::size_t>(i)] = static_cast<int>(static_cast<std::int64_t>(i) * length_px / cells);
+  }
+  return first;
+}
+
+/// Cells of a side: square cells, at least one pixel each, at least 4 cells of the short side of a very long frame.
+int cells_of(int length_px, int longer_px) {
+  if (longer_px <= kCellsMax) return length_px;
+  const auto square = static_cast<int>(std::lround(static_cast<double>(length_px) * kCellsMax / longer_px));
+  return std::clamp(square, 4, kCellsMax);
+}
+
+void channel_minimum(const ImageView& view, int v, int grey16_depth_bits, std::uint8_t* to) noexcept {
+  const kernels::PixelLoops& loops = kernels::pixel_loops();
+  const std::uint8_t* from = view.row(v);
+  switch (view.format) {
+    case PixelFormat::kGrey8:
+      std::memcpy(to, from, static_cast<std::size_t>(view.width));
+      return;
+    case PixelFormat::kGrey16:
+      loops.grey16_to_8(from, grey16_depth_bits - 8, to, view.width);
+      return;
+    case PixelFormat::kBgr8:
+    case PixelFormat::kRgb8:
+      loops.triplet_minimum(from, to, view.width);
+      return;
+    case PixelFormat::kBgra8:
+    case PixelFormat::kRgba8:
+      loops.quad_minimum(from, to, view.width);
+      return;
+  }
+}
+
+}  // namespace
+
+CellGrid::CellGrid(int frame_width_px, int frame_height_px)
+    : first_u_(bounds(frame_width_px, cells_of(frame_width_px, std::max(frame_width_px, frame_height_px)))),
+      first_v_(bounds(frame_height_px, cells_of(frame_height_px, std::max(frame_width_px, frame_height_px)))) {}
+
+double CellGrid::place(const std::vector<int>& first, double cell) noexcept {
+  const double cells = static_cast<double>(first.size()) - 1.0;
+  return std::clamp((cell + 0.5) * first.back() / cells - 0.5, 0.0, first.back() - 1.0);
+}
+
+void reduce(const ImageView& view, int grey16_depth_bits, const CellGrid& grid, ReductionRows& rows,
+            CellPlane& out) noexcept {
+  std::uint16_t* const sums = rows.sums.data();
+  const std::uint8_t* const minimum = rows.minimum.data();
+  for (int cell_v = 0; cell_v < grid.height(); ++cell_v) {
+    std::fill(rows.sums.begin(), rows.sums.end(), std::uint16_t{0});
+    // A cell has at most 8192 / 160 rows: 52 * 255 fits 16 bits. A very long frame has 4 cells and sums fewer rows.
+    const int first_v = grid.first_v(cell_v);
+    const int end_v = std::min(grid.first_v(cell_v + 1), first_v + 256);
+    for (int v = first_v; v < end_v; ++v) {
+      channel_minimum(view, v, grey16_depth_bits, rows.minimum.data());
+      for (int u = 0; u < view.width; ++u) sums[u] = static_cast<std::uint16_t>(sums[u] + minimum[u]);
+    }
+    std::int16_t* const to = out.row(cell_v);
+    for (int cell_u = 0; cell_u < grid.width(); ++cell_u) {
+      const int first_u = grid.first_u(cell_u), end_u = grid.first_u(cell_u + 1);
+      std::uint32_t sum = 0;
+      for (int u = first_u; u < end_u; ++u) sum += sums[u];
+      const auto pixels = static_cast<std::uint32_t>((end_u - first_u) * (end_v - first_v));
+      to[cell_u] = static_cast<std::int16_t>((sum * kLevelParts + pixels / 2) / pixels);
+    }
+  }
+}
+
+}  // namespace adit

@@ -1,0 +1,168 @@
+// The method `adit` on drawn frames: each status, each rule, and what must not fool it.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "adit/finder.hpp"
+#include "drawn_passage.hpp"
+
+namespace adit {
+namespace {
+
+using test::DrawnScene;
+using test::drawn;
+using test::Frame;
+
+OpenSpaceFinder finder(Clustering clustering = Clustering::kExact) {
+  FinderConfig config;
+  config.method = Method::kAdit;
+  config.clustering = clustering;
+  return OpenSpaceFinder(config);
+}
+
+OpenSpace seen_in(const Frame& frame) { return finder().find(frame.view()); }
+
+void expect_at(const OpenSpace& seen, double u_px, double v_px, double tolerance_px) {
+  ASSERT_EQ(seen.status, Status::kFound) << to_string(seen.status);
+  EXPECT_NEAR(seen.centroid_px.u_px, u_px, tolerance_px);
+  EXPECT_NEAR(seen.centroid_px.v_px, v_px, tolerance_px);
+}
+
+TEST(AditMethod, PointsAtThePlaceThatRockEncloses) {
+  const OpenSpace seen = seen_in(drawn({.openings = {{420, 250, 70, 60}}}));
+  expect_at(seen, 420, 250, 8);
+  EXPECT_EQ(seen.rule, Rule::kEnclosed);
+  EXPECT_EQ(seen.opening_count, 1);
+  const Opening& best = seen.openings[0];
+  EXPECT_EQ(best.bearing.azimuth_rad, seen.bearing.azimuth_rad);
+  EXPECT_GT(best.contrast, 0.8);
+  EXPECT_GT(best.score, 0.0);
+  EXPECT_GT(seen.confidence, 0.5);
+  EXPECT_FALSE(best.touches_border);
+  EXPECT_NEAR(best.top_left_px.u_px, 350, 30);
+  EXPECT_NEAR(best.bottom_right_px.u_px, 490, 30);
+  EXPECT_NEAR(best.top_left_px.v_px, 190, 30);
+  EXPECT_NEAR(best.bottom_right_px.v_px, 310, 30);
+  EXPECT_GT(best.half_width_rad, 0.08);
+  EXPECT_LT(best.half_width_rad, 0.25);
+}
+
+TEST(AditMethod, DarkCornersOfANarrowBeamAreNotOpen) {
+  const OpenSpace seen = seen_in(drawn({.openings = {{380, 250, 60, 50}}, .beam_px = 190.0}));
+  expect_at(seen, 380, 250, 20);
+  EXPECT_EQ(seen.opening_count, 1);
+}
+
+TEST(AditMethod, EachBranchOfAJunctionIsAnOpening) {
+  const OpenSpace seen = seen_in(drawn({.openings = {{160, 240, 60, 60}, {480, 250, 80, 60}}}));
+  expect_at(seen, 480, 250, 12);  // the wider one
+  ASSERT_EQ(seen.opening_count, 2);
+  EXPECT_NEAR(seen.openings[1].centroid_px.u_px, 160, 12);
+  EXPECT_LT(seen.openings[1].bearing.azimuth_rad, 0.0);
+  EXPECT_GT(seen.openings[0].score, seen.openings[1].score);
+}
+
+TEST(AditMethod, AnOpeningCutByTheEdgeIsFoundAndSaidToBe) {
+  const OpenSpace seen = seen_in(drawn({.openings = {{625, 250, 90, 70}}}));
+  ASSERT_TRUE(seen.found()) << to_string(seen.status);
+  EXPECT_EQ(seen.rule, Rule::kOpenSided);
+  EXPECT_TRUE(seen.openings[0].touches_border);
+  EXPECT_GT(seen.centroid_px.u_px, 560);
+}
+
+TEST(AditMethod, AWallHasNoOpening) {
+  for (const double beam_px : {600.0, 300.0, 190.0}) {
+    const OpenSpace seen = seen_in(drawn({.openings = {}, .beam_px = beam_px}));
+    EXPECT_EQ(seen.status, Status::kNoOpening) << "beam " << beam_px;
+    EXPECT_EQ(seen.rule, Rule::kNone);
+    EXPECT_EQ(seen.confidence, 0.0);
+    EXPECT_EQ(seen.opening_count, 0);
+  }
+}
+
+TEST(AditMethod, ACableOnAWallIsNoOpening) {
+  Frame frame = drawn({});
+  test::add_cable(frame, 230, 12);
+  EXPECT_EQ(seen_in(frame).status, Status::kNoOpening);
+}
+
+TEST(AditMethod, ALampInThePassageDoesNotHideIt) {
+  Frame frame = drawn({.openings = {{300, 240, 90, 70}}});
+  test::add_lamp(frame, 320, 230, 3);
+  expect_at(seen_in(frame), 300, 240, 45);
+}
+
+TEST(AditMethod, LampOutIsTooDark) {
+  EXPECT_EQ(seen_in(drawn({.openings = {}, .brightness = 0.0, .noise = 2})).status, Status::kTooDark);
+}
+
+TEST(AditMethod, DaylightIsTooBright) {
+  EXPECT_EQ(seen_in(Frame(640, 480, PixelFormat::kGrey8, 235)).status, Status::kTooBright);
+}
+
+TEST(AditMethod, OneGreyValueHasNoContrast) {
+  EXPECT_EQ(seen_in(Frame(640, 480, PixelFormat::kGrey8, 90)).status, Status::kNoContrast);
+}
+
+TEST(AditMethod, AnswersMirrorWithTheFrame) {
+  const Frame frame = drawn({.openings = {{200, 250, 70, 60}}});
+  const OpenSpace seen = seen_in(frame);
+  const OpenSpace mirrored = seen_in(test::mirrored(frame));
+  ASSERT_TRUE(seen.found() && mirrored.found());
+  EXPECT_NEAR(mirrored.centroid_px.u_px, 639.0 - seen.centroid_px.u_px, 1e-6);
+  EXPECT_NEAR(mirrored.centroid_px.v_px, seen.centroid_px.v_px, 1e-6);
+}
+
+TEST(AditMethod, AnswersAreThoseOfEveryLayoutOfMemory) {
+  const Frame grey = drawn({.openings = {{420, 250, 70, 60}}});
+  const OpenSpace seen = seen_in(grey);
+  for (const auto format :
+       {PixelFormat::kBgr8, PixelFormat::kRgb8, PixelFormat::kBgra8, PixelFormat::kRgba8, PixelFormat::kGrey16}) {
+    const OpenSpace other = seen_in(in_format(grey, format));
+    EXPECT_EQ(other.centroid_px.u_px, seen.centroid_px.u_px);
+    EXPECT_EQ(other.openings[0].score, seen.openings[0].score);
+  }
+}
+
+TEST(AditMethod, FramesOfAllSizesGetAnAnswerThatIsANumber) {
+  for (const auto& [width, height] : {std::pair{16, 16},
+                                      {16, 400},
+                                      {400, 16},
+                                      {33, 17},
+                                      {161, 120},
+                                      {1279, 721},
+                                      {8192, 16},
+                                      {16, 8192},
+                                      {1920, 1080}}) {
+    const Frame frame = drawn({.width = width,
+                               .height = height,
+                               .openings = {{0.6 * width, 0.5 * height, 0.12 * width, 0.15 * height}},
+                               .beam_px = 1.0 * width});
+    const OpenSpace seen = seen_in(frame);
+    EXPECT_NE(seen.status, Status::kBadFrame);
+    EXPECT_TRUE(std::isfinite(seen.centroid_px.u_px) && std::isfinite(seen.bearing.azimuth_rad));
+    EXPECT_TRUE(seen.confidence >= 0.0 && seen.confidence <= 1.0);
+    if (width >= 161 && height >= 120) {
+      ASSERT_TRUE(seen.found()) << width << " x " << height << " " << to_string(seen.status);
+      EXPECT_NEAR(seen.centroid_px.u_px / width, 0.6, 0.03);
+    }
+  }
+}
+
+TEST(AditMethod, ExplainAnswersAsFindAndDrawsItsStages) {
+  const Frame frame = drawn({.openings = {{420, 250, 70, 60}}});
+  StageImages images;
+  const OpenSpace seen = finder().explain(frame.view(), images);
+  EXPECT_EQ(seen.centroid_px.u_px, seen_in(frame).centroid_px.u_px);
+  const std::size_t pixels = 640 * 480;
+  ASSERT_EQ(images.light.size(), pixels);
+  ASSERT_EQ(images.enclosure.size(), pixels);
+  ASSERT_EQ(images.openings.size(), pixels);
+  EXPECT_EQ(images.openings[250 * 640 + 420], 1);
+  EXPECT_EQ(images.openings[20 * 640 + 20], 0);
+  EXPECT_GT(images.enclosure[250 * 640 + 420], 1.0f);
+  EXPECT_LT(images.light[250 * 640 + 420], images.light[100 * 640 + 320]);
+}
+
+}  // namespace
+}  // namespace adit

@@ -76,7 +76,8 @@ std::string frame_card(const EvalFrame& frame, const JudgedFrame& judged, const 
   }
   std::string card = fmt::format("<figure class=\"card\" data-set=\"{}\"{}>\n", html_of(set.name), verdicts);
   card += fmt::format(
-      "<svg viewBox=\"0 0 {0} {1}\" style=\"--w:{2:.2f}px\"><image href=\"{3}\" width=\"{0}\" height=\"{1}\"/>",
+      "<svg viewBox=\"-0.5 -0.5 {0} {1}\" style=\"--w:{2:.2f}px\"><image x=\"-0.5\" y=\"-0.5\" href=\"{3}\" "
+      "width=\"{0}\" height=\"{1}\"/>",
       judged.width, judged.height, judged.width / 320.0, html_of(picture));
   card += truth_marks(frame, judged, unit_px) + marks + "</svg>\n";
   const char* scene = frame.truth.scene == eval::Scene::kOpen   ? ""

@@ -16,7 +16,7 @@ constexpr double kAreaMin_px2 = 60.0;
 
 std::vector<std::vector<Pixel>> open_area_of(const eval::FrameTruth& truth, const eval::ScoreConfig& config) {
   const eval::RangeImage& ranges = truth.ranges;
-  if (ranges.range_m.empty()) return {};
+  if (ranges.range_m.empty() || truth.scene == eval::Scene::kNone) return {};
   const cv::Mat range_m(ranges.height, ranges.width, CV_32F, const_cast<float*>(ranges.range_m.data()));
   const cv::Mat open = range_m >= config.open_ratio_min * truth.far_m;
   std::vector<std::vector<cv::Point>> contours;

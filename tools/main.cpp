@@ -54,6 +54,9 @@ ExitCode run(int argc, char** argv) {
   adit::tools::add_run(app, exit_code);
   adit::tools::add_explain(app, exit_code);
   adit::tools::add_eval(app, exit_code);
+#ifdef ADIT_WITH_MARK
+  adit::tools::add_mark(app, exit_code);
+#endif
 #ifdef ADIT_WITH_SIM
   adit::tools::add_fly(app, exit_code);
   adit::tools::add_render(app, exit_code);

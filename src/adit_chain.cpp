@@ -12,6 +12,8 @@ namespace {
 /// A rise beyond this adds nothing: four stops are a range four times as long, which is as open as open gets, and a
 /// foreign lamp on the rim is not to make its surroundings the best place.
 constexpr int kRiseMax = 4 * kStop;
+/// But where in an open place it is deepest, the whole rise tells. Twelve stops are more than 8 bits hold in the dark.
+constexpr int kDepthMax = 12 * kStop;
 
 /// Weight of an elevation, 0 to 256.
 std::int16_t weight_of(double elevation_rad, const FinderConfig& config) {
@@ -20,8 +22,23 @@ std::int16_t weight_of(double elevation_rad, const FinderConfig& config) {
   return static_cast<std::int16_t>(std::lround(256.0 * (config.horizon_floor + (1.0 - config.horizon_floor) * bell)));
 }
 
+/// The share of strong openings that are the right ones: some frames show two, or a recess that is as deep.
+constexpr double kConfidenceMax = 0.96;
+
 double confidence_of(double strength, const FinderConfig& config) noexcept {
-  return 1.0 / (1.0 + std::pow(config.strength_even / strength, 1.0 / config.strength_spread));
+  return kConfidenceMax / (1.0 + std::pow(config.strength_even / strength, 1.0 / config.strength_spread));
+}
+
+/// What the answer repeats of its best opening.
+void note_best(Rule rule, OpenSpace& out) noexcept {
+  const Opening& best = out.openings[0];
+  out.status = Status::kFound;
+  out.rule = rule;
+  out.confidence = best.confidence;
+  out.centroid_px = best.centroid_px;
+  out.point = best.point;
+  out.bearing = best.bearing;
+  out.area_fraction = best.area_fraction;
 }
 
 template <class Value, class Of>
@@ -49,10 +66,12 @@ AditChain::AditChain(const FinderConfig& config, const Camera& camera, int frame
       filter_(grid_.width(), grid_.height()),
       enclosing_(grid_.width(), grid_.height()),
       search_(grid_.width(), grid_.height()),
+      veil_fit_(grid_, camera, config),
       level_(grid_.width(), grid_.height()),
       cleaned_(level_),
       light_(level_),
-      map_(level_) {
+      map_(level_),
+      depth_(level_) {
   make_light_table(config.light_gamma, config.noise_level, table_);
   elevation_weight_.reserve(static_cast<std::size_t>(grid_.height()));
   const double middle_u_px = 0.5 * (frame_width_px - 1);
@@ -74,7 +93,7 @@ void AditChain::find(const ImageView& frame, const FinderConfig& config, const C
   look_up(cleaned_, table_, light_);
   enclosure_of(light_, enclosing_, map_);
   weigh_by_elevation();
-  candidates_ = search_openings(map_, search_);
+  candidates_ = search_openings(map_, depth_, search_);
   if (out.atmospheric_light < config.too_dark_light_max) {
     out.status = Status::kTooDark;
   } else if (out.darkest_level >= config.too_bright_level_min) {
@@ -84,15 +103,84 @@ void AditChain::find(const ImageView& frame, const FinderConfig& config, const C
   } else {
     note_openings(config, camera, out);
   }
+  if (out.status != Status::kFound && out.status != Status::kNoOpening) return;
+  const VeilSight veil = veil_fit_.judge(cleaned_);
+  note_flags(config, veil, out);
+  if (out.status == Status::kNoOpening && out.flags.dust) note_way_through_dust(camera, veil, out);
+}
+
+/// Rock that exceeds the veil by less than this in nine tenths of the frame is not seen: it is what the tone curve's
+/// rounding to whole levels makes of a smooth lobe.
+constexpr double kNoRock = 0.06;
+/// Cells at the end of the range, of which a lamp in view has few; the wall in the vehicle's own light may have many.
+constexpr int kSaturated = 250 * kLevelParts;
+constexpr double kTooBrightShare = 0.25;
+/// Below this brightest level a camera at full gain shows as much noise as rock.
+constexpr double kFaint_level = 24.0;
+
+void AditChain::note_flags(const FinderConfig& config, const VeilSight& veil, OpenSpace& out) const noexcept {
+  out.veil_fraction = veil.fraction;
+  out.flags.dust = veil.fraction >= config.dust_veil_min;
+  out.flags.blocked_lens = out.flags.dust && veil.rock_high < kNoRock && !veil.lobe_in_frame;
+  out.flags.too_dark = out.atmospheric_light < kFaint_level;
+  int saturated = 0;
+  bool steep = false;
+  constexpr int kAway = 6;  // cells: a lamp's halo has fallen to less than half there, a lit wall's light has not
+  for (int v = 0; v < level_.height; ++v) {
+    const std::int16_t* row = level_.row(v);
+    for (int u = 0; u < level_.width; ++u) {
+      if (row[u] < kSaturated) continue;
+      ++saturated;
+      const int left = row[std::max(0, u - kAway)], right = row[std::min(level_.width - 1, u + kAway)];
+      const int above = level_.row(std::max(0, v - kAway))[u];
+      const int below = level_.row(std::min(level_.height - 1, v + kAway))[u];
+      steep = steep || std::max({left, right, above, below}) < kSaturated / 2;
+    }
+  }
+  out.flags.glare = steep;
+  out.flags.too_bright = saturated > kTooBrightShare * static_cast<double>(level_.values.size());
+}
+
+/// In dust that hides the rim of the way on. Not where rock is seen in the middle: that is a wall.
+void AditChain::note_way_through_dust(const Camera& camera, const VeilSight& veil, OpenSpace& out) const noexcept {
+  // Rock that adds a quarter to the veil where the air should be alone, or air alone in less than three directions of
+  // ten: something stands in the way.
+  constexpr double kRockMax = 0.25, kOpenShareMin = 0.3;
+  // In rendered dust of 0.04 to 0.25 1/m one coarse heading in two was within 10 deg (docs/method.md).
+  constexpr double kVeilConfidence = 0.5;
+  if (veil.rock_high < kNoRock) {
+    out.status = veil.lobe_in_frame ? Status::kDust : Status::kBlockedLens;
+    return;
+  }
+  if (veil.rock_at_place > kRockMax || veil.open_share < kOpenShareMin) return;
+  Opening& to = out.openings[0];
+  to.centroid_px = {grid_.u_px(veil.u), grid_.v_px(veil.v)};
+  to.point = camera.normalised_of(to.centroid_px);
+  to.bearing = camera.bearing_of(to.centroid_px);
+  to.top_left_px = {grid_.u_px(veil.u - veil.half_width), grid_.v_px(veil.v - veil.half_height)};
+  to.bottom_right_px = {grid_.u_px(veil.u + veil.half_width), grid_.v_px(veil.v + veil.half_height)};
+  to.area_fraction = (to.bottom_right_px.u_px - to.top_left_px.u_px + 1.0) *
+                     (to.bottom_right_px.v_px - to.top_left_px.v_px + 1.0) /
+                     (static_cast<double>(frame_width_px_) * frame_height_px_);
+  to.score = 0.05;
+  to.confidence = kVeilConfidence * (1.0 - 0.5 * veil.rock_at_place / kRockMax);
+  to.contrast = veil.rock_high / (1.0 + veil.rock_high);
+  note_extent(camera, to);
+  out.opening_count = 1;
+  note_best(Rule::kVeil, out);
 }
 
 void AditChain::weigh_by_elevation() noexcept {
   for (int v = 0; v < map_.height; ++v) {
     std::int16_t* const row = map_.row(v);
+    std::int16_t* const deep = depth_.row(v);
     const int weight = elevation_weight_[static_cast<std::size_t>(v)];
-    for (int u = 0; u < map_.width; ++u)
+    for (int u = 0; u < map_.width; ++u) {
+      deep[u] = static_cast<std::int16_t>((std::min<int>(row[u], kDepthMax) * weight) >> 8);
       row[u] = static_cast<std::int16_t>((std::min<int>(row[u], kRiseMax) * weight) >> 8);
+    }
   }
+  blur(depth_, filter_);
   blur(map_, filter_);  // twice: a standard deviation of 1.4 cells, so that a peak is of a place and not of noise
   blur(map_, filter_);
 }
@@ -128,14 +216,7 @@ void AditChain::note_openings(const FinderConfig& config, const Camera& camera, 
     out.status = Status::kNoOpening;
     return;
   }
-  const Opening& best = out.openings[0];
-  out.status = Status::kFound;
-  out.rule = best.touches_border ? Rule::kOpenSided : Rule::kEnclosed;
-  out.confidence = best.confidence;
-  out.centroid_px = best.centroid_px;
-  out.point = best.point;
-  out.bearing = best.bearing;
-  out.area_fraction = best.area_fraction;
+  note_best(out.openings[0].touches_border ? Rule::kOpenSided : Rule::kEnclosed, out);
 }
 
 void AditChain::draw(StageImages& images) const {

@@ -5,6 +5,7 @@
 #include "adit/finder.hpp"
 #include "enclosure.hpp"
 #include "opening_search.hpp"
+#include "veil.hpp"
 
 namespace adit {
 
@@ -22,6 +23,8 @@ class AditChain {
  private:
   void weigh_by_elevation() noexcept;
   void note_levels(OpenSpace& out) noexcept;
+  void note_flags(const FinderConfig& config, const VeilSight& veil, OpenSpace& out) const noexcept;
+  void note_way_through_dust(const Camera& camera, const VeilSight& veil, OpenSpace& out) const noexcept;
   void note_openings(const FinderConfig& config, const Camera& camera, OpenSpace& out) noexcept;
 
   int frame_width_px_;
@@ -31,12 +34,14 @@ class AditChain {
   FilterScratch filter_;
   EnclosureScratch enclosing_;
   SearchScratch search_;
+  VeilFit veil_fit_;
   LightTable table_{};
   std::vector<std::int16_t> elevation_weight_;  ///< of each row of cells, 0 to 256
   CellPlane level_;                             ///< parts of a grey level
   CellPlane cleaned_;                           ///< without specks and thin lines
   CellPlane light_;                             ///< parts of a stop
   CellPlane map_;                               ///< enclosure, weighted and smoothed
+  CellPlane depth_;                             ///< enclosure, weighted, not capped
   Candidates candidates_;
 };
 

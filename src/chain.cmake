@@ -15,4 +15,5 @@ target_sources(adit_core PRIVATE
   opening_search.cpp
   reduced_frame.cpp
   scattering_depth.cpp
-  stage_images.cpp)
+  stage_images.cpp
+  veil.cpp)

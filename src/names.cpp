@@ -11,8 +11,8 @@ namespace {
 constexpr std::array<std::string_view, kStatusCount> kStatusNames{
     "found",      "too_dark",   "too_bright",   "no_contrast", "no_region",    "bad_frame",
     "wrong_size", "no_opening", "blocked_lens", "dust",        "frozen_frame", "torn_frame"};
-constexpr std::array<std::string_view, kRuleCount> kRuleNames{"none", "darkest_cluster", "enclosed", "open_sided",
-                                                              "flash"};
+constexpr std::array<std::string_view, kRuleCount> kRuleNames{
+    "none", "darkest_cluster", "enclosed", "open_sided", "veil", "flash"};
 constexpr std::array<std::string_view, 2> kMethodNames{"paper", "adit"};
 constexpr std::array<std::string_view, 2> kClusteringNames{"exact", "lloyd"};
 constexpr std::array<std::string_view, kStageCount> kStageNames{"dark_channel", "scattering_depth", "closing",

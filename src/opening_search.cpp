@@ -9,10 +9,15 @@ namespace {
 /// A peak below this, parts of a stop, is not looked at: paint and stains on one wall differ by as much.
 constexpr int kPeakMin = kStop / 4;
 
+/// Area over squared length of a shape from which on it is a passage and no strip: an ellipse four times as long as
+/// high has 0.2. The floor at grazing light along the foot of a wall, cables and gaps between planks are thinner.
+constexpr double kSlenderness = 0.2;
+
 /// Flood fill over the four neighbours of a cell.
 class Flood {
  public:
-  Flood(const CellPlane& map, SearchScratch& scratch) noexcept : map_(map), scratch_(scratch) {}
+  Flood(const CellPlane& map, const CellPlane& depth, SearchScratch& scratch) noexcept
+      : map_(map), depth_(depth), scratch_(scratch) {}
 
   /// Takes the cells that are nobody's, connected with `start`, with at least `level`.
   Candidate region(std::int32_t start, int level, std::uint8_t owner) noexcept {
@@ -63,7 +68,8 @@ class Flood {
   }
   void add(std::int32_t cell, Candidate& out, double& weights) noexcept {
     const int u = cell % map_.width, v = cell / map_.width;
-    const double weight = static_cast<double>(value(cell)) * value(cell);
+    const double depth = depth_.values[static_cast<std::size_t>(cell)];
+    const double weight = depth * depth * depth * depth + 1.0;
     out.u += weight * u;
     out.v += weight * v;
     weights += weight;
@@ -76,6 +82,7 @@ class Flood {
   }
 
   const CellPlane& map_;
+  const CellPlane& depth_;
   SearchScratch& scratch_;
   std::size_t length_ = 0;
 };
@@ -109,10 +116,10 @@ SearchScratch::SearchScratch(int width, int height)
       queue(owner.size()),
       row_peak(static_cast<std::size_t>(height)) {}
 
-Candidates search_openings(const CellPlane& map, SearchScratch& scratch) noexcept {
+Candidates search_openings(const CellPlane& map, const CellPlane& depth, SearchScratch& scratch) noexcept {
   Candidates out;
   std::fill(scratch.owner.begin(), scratch.owner.end(), std::uint8_t{0});
-  Flood flood(map, scratch);
+  Flood flood(map, depth, scratch);
   while (out.count < kOpeningCountMax) {
     for (int v = 0; v < map.height; ++v) note_row_peak(map, v, scratch);
     const std::int32_t top = highest(map, scratch);
@@ -123,7 +130,9 @@ Candidates search_openings(const CellPlane& map, SearchScratch& scratch) noexcep
     found.owner = static_cast<std::uint8_t>(out.count + 1);
     flood.slope();
     const double share = static_cast<double>(found.cells) / (static_cast<double>(map.width) * map.height);
-    found.strength = static_cast<double>(found.peak) / kStop * std::sqrt(share);
+    const int reach = std::max(found.right - found.left, found.bottom - found.top) + 1;
+    const double fullness = std::min(1.0, found.cells / (kSlenderness * reach * reach));
+    found.strength = static_cast<double>(found.peak) / kStop * std::sqrt(share) * fullness;
     ++out.count;
   }
   // std::stable_sort would allocate; equal strengths go by place.

@@ -10,7 +10,7 @@ namespace adit {
 
 /// A place on the grid that may be an opening.
 struct Candidate {
-  double u = 0.0;  ///< centroid, cells, weighted with the square of the score map
+  double u = 0.0;  ///< centroid, cells, weighted by depth
   double v = 0.0;  ///< cells
   int left = 0;    ///< box about it, cells, both ends inside
   int right = 0;
@@ -37,6 +37,7 @@ struct Candidates {
 
 /// The places of the map, the strongest first: cells about a peak with at least half its value, connected. Cells
 /// on the way down from a place belong to nobody else, so that the rim of one is not taken for another.
-[[nodiscard]] Candidates search_openings(const CellPlane& map, SearchScratch& scratch) noexcept;
+/// @param map    not below 0; @param depth  the same size, not below 0: its squares weigh the cells of a centroid.
+[[nodiscard]] Candidates search_openings(const CellPlane& map, const CellPlane& depth, SearchScratch& scratch) noexcept;
 
 }  // namespace adit

@@ -97,7 +97,7 @@ void visit_fields(Config& c, Visitor&& visit) {
         c.light_gamma);
   visit(FieldNote{"noise_level", "level", 0, 64,
                   "Grey levels that noise adds; darker places count as equally dark. Method adit.",
-                  "mean of sixteen pixels, smallest of three noisy colours, at full gain: 2 to 4"},
+                  "mean of sixteen pixels, smallest of three noisy colours, at full gain: 1 to 4"},
         c.noise_level);
   visit(FieldNote{"horizon_spread_deg", "deg", 1, 90,
                   "How far from the horizon openings are expected (one standard deviation). Method adit.",
@@ -112,6 +112,10 @@ void visit_fields(Config& c, Visitor&& visit) {
                   "Method adit.",
                   "one stop over a twentieth of the frame: stains, cables and their shadows stay below"},
         c.opening_strength_min);
+  visit(FieldNote{"dust_veil_min", "", 0, 1,
+                  "Share of the light that is veil from which on the air is dusty. Method adit.",
+                  "rock in clear air stands a stop or more above the lower envelope of its frame: share below 0.5"},
+        c.dust_veil_min);
   visit(FieldNote{"strength_even", "", 0.001, 10,
                   "Strength at which an opening is as likely right as wrong. Method adit.",
                   "docs/method.md, calibration"},

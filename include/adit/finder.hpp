@@ -52,12 +52,13 @@ struct FinderConfig {
   double area_fraction_min = 0.002;
   // Method `adit` only:
   double light_gamma = 2.2;
-  double noise_level = 3.5;
+  double noise_level = 2.0;
   double horizon_spread_deg = 12.0;
   double horizon_floor = 0.15;
-  double opening_strength_min = 0.22;
-  double strength_even = 0.35;
-  double strength_spread = 0.5;
+  double opening_strength_min = 0.2;
+  double dust_veil_min = 0.7;
+  double strength_even = 0.27;
+  double strength_spread = 0.2;
 };
 
 /// Why a configuration is refused: "omega: 1.5 is not in [0.01, 1]; set a value in this range".
@@ -94,9 +95,10 @@ enum class Rule : std::uint8_t {
   kDarkestCluster,  ///< method `paper`: centroid of the darkest cluster
   kEnclosed,        ///< method `adit`: the dark place that lit rock encloses best
   kOpenSided,       ///< method `adit`: a dark place that runs out of the frame, lit rock on the sides that are seen
+  kVeil,            ///< method `adit`, dust: where the air alone is seen, near axis and horizon; a coarse heading
   kFlash,           ///< method `adit`, pairs of frames: dark in the difference of lamp on and lamp off
 };
-inline constexpr int kRuleCount = 5;
+inline constexpr int kRuleCount = 6;
 
 /// What disturbs the view. Set whatever the status is, so that a caller can slow down or switch a lamp on.
 /// Method `adit` only; all false with `paper`.

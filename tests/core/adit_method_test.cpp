@@ -9,8 +9,8 @@
 namespace adit {
 namespace {
 
-using test::DrawnScene;
 using test::drawn;
+using test::DrawnScene;
 using test::Frame;
 
 OpenSpaceFinder finder(Clustering clustering = Clustering::kExact) {
@@ -102,6 +102,53 @@ TEST(AditMethod, DaylightIsTooBright) {
 
 TEST(AditMethod, OneGreyValueHasNoContrast) {
   EXPECT_EQ(seen_in(Frame(640, 480, PixelFormat::kGrey8, 90)).status, Status::kNoContrast);
+}
+
+TEST(AditMethod, DustIsFlaggedAndMeasured) {
+  const OpenSpace clear = seen_in(drawn({.openings = {{380, 250, 80, 60}}}));
+  EXPECT_FALSE(clear.flags.dust) << clear.veil_fraction;
+  // Rock that is still seen on both sides, air alone between.
+  const OpenSpace dusty =
+      seen_in(drawn({.openings = {{360, 240, 240, 400}}, .beam_px = 400.0, .brightness = 60.0, .veil = 70.0}));
+  EXPECT_TRUE(dusty.flags.dust) << dusty.veil_fraction;
+  EXPECT_GT(dusty.veil_fraction, clear.veil_fraction);
+  ASSERT_TRUE(dusty.found()) << to_string(dusty.status);
+  EXPECT_NEAR(dusty.centroid_px.u_px, 360, 60);
+  EXPECT_LT(dusty.confidence, 0.9);
+}
+
+TEST(AditMethod, WhereTheVeilIsAllThatIsSeenItSaysDust) {
+  const OpenSpace seen =
+      seen_in(drawn({.openings = {}, .beam_px = 300.0, .brightness = 0.0, .veil = 110.0, .noise = 2}));
+  EXPECT_EQ(seen.status, Status::kDust) << to_string(seen.status);
+  EXPECT_TRUE(seen.flags.dust);
+  EXPECT_FALSE(seen.flags.blocked_lens);
+  EXPECT_EQ(seen.opening_count, 0);
+}
+
+TEST(AditMethod, ABrightBlurFromTheSideIsABlockedLens) {
+  Frame frame(640, 480, PixelFormat::kGrey8);
+  std::mt19937 random(5);
+  for (int v = 0; v < 480; ++v) {
+    for (int u = 0; u < 640; ++u) {
+      *frame.pixel(u, v) = static_cast<std::uint8_t>(60.0 * std::exp2(u / 500.0) + test::between(random, -2, 2));
+    }
+  }
+  const OpenSpace seen = seen_in(frame);
+  EXPECT_EQ(seen.status, Status::kBlockedLens) << to_string(seen.status);
+  EXPECT_TRUE(seen.flags.blocked_lens);
+}
+
+TEST(AditMethod, AForeignLampIsGlareAndALitWallIsNot) {
+  Frame frame = drawn({.openings = {{300, 240, 90, 70}}});
+  EXPECT_FALSE(seen_in(frame).flags.glare);
+  test::add_lamp(frame, 320, 230, 5);
+  EXPECT_TRUE(seen_in(frame).flags.glare);
+}
+
+TEST(AditMethod, AFrameNearTheEndsOfTheRangeIsFlagged) {
+  EXPECT_TRUE(seen_in(drawn({.openings = {{300, 240, 90, 70}}, .brightness = 15.0, .noise = 1})).flags.too_dark);
+  EXPECT_TRUE(seen_in(drawn({.openings = {{300, 240, 90, 70}}, .brightness = 330.0})).flags.too_bright);
 }
 
 TEST(AditMethod, AnswersMirrorWithTheFrame) {

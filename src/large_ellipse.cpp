@@ -18,6 +18,11 @@ int margin_of(int element_width) {
   return static_cast<int>(AlignedBytes::rounded_up(static_cast<std::size_t>(element_width / 2 + 1)));
 }
 
+/// A power of two: rows are looked up so often that a division would be felt.
+int ring_of(const StructuringElement& element) {
+  return static_cast<int>(std::bit_ceil(static_cast<unsigned>(element.height())));
+}
+
 int levels_of(int element_width) { return std::bit_width(static_cast<unsigned>(element_width)); }
 
 }  // namespace
@@ -35,7 +40,7 @@ struct LargeEllipse::Layout {
 
   Layout(int height, const StructuringElement& element) noexcept {
     const auto rounded = [](std::size_t size) { return AlignedBytes::rounded_up(size); };
-    const auto rows = static_cast<std::size_t>(element.height());
+    const auto rows = static_cast<std::size_t>(ring_of(element));
     pitch = static_cast<std::size_t>(kStripColumns + 2 * margin_of(element.width()));
     words = static_cast<std::size_t>(height) / 64 + 1;
     chords = 0;
@@ -47,17 +52,15 @@ struct LargeEllipse::Layout {
   }
 };
 
-std::size_t LargeEllipse::bytes_needed(int /*width*/, int height, const StructuringElement& element) noexcept {
+std::size_t LargeEllipse::bytes_needed(int height, const StructuringElement& element) noexcept {
   return Layout(height, element).end;
 }
 
-LargeEllipse::LargeEllipse(Order order, int /*width*/, int height, const StructuringElement& element,
-                           std::uint8_t* work) noexcept
+LargeEllipse::LargeEllipse(Order order, int height, const StructuringElement& element, std::uint8_t* work) noexcept
     : order_(order),
       element_(element),
-      reach_u_(element.width() / 2),
       reach_v_(element.height() / 2),
-      ring_(element.height()),
+      ring_(ring_of(element)),
       margin_(margin_of(element.width())),
       levels_(levels_of(element.width())) {
   const Layout layout(height, element);
@@ -80,7 +83,7 @@ LargeEllipse::LargeEllipse(Order order, int /*width*/, int height, const Structu
 }
 
 std::uint8_t* LargeEllipse::slot(int v) const noexcept {
-  return slots_ + static_cast<std::size_t>(v % ring_) * static_cast<std::size_t>(levels_) * pitch_;
+  return slots_ + static_cast<std::size_t>(v & (ring_ - 1)) * static_cast<std::size_t>(levels_) * pitch_;
 }
 
 void LargeEllipse::apply(ConstPlaneView in, PlaneView out) noexcept {
@@ -93,7 +96,7 @@ void LargeEllipse::strip(ConstPlaneView in, PlaneView out, int begin, int width)
   std::memset(falling_, 0, 2 * kBlocksMax * words_ * sizeof(std::uint64_t));
   for (int v = 0; v < in.height + reach_v_; ++v) {
     if (v < in.height) take_row(in, v, begin, width);
-    if (v >= reach_v_) make_row(v - reach_v_, in.height, begin, width, out.row(v - reach_v_) + begin);
+    if (v >= reach_v_) make_row(v - reach_v_, in.height, width, out.row(v - reach_v_) + begin);
   }
 }
 
@@ -135,7 +138,7 @@ void LargeEllipse::mark_rows(int v, int cells) noexcept {
   }
 }
 
-void LargeEllipse::make_row(int v, int height, int /*begin*/, int width, std::uint8_t* out) noexcept {
+void LargeEllipse::make_row(int v, int height, int width, std::uint8_t* out) noexcept {
   const int first = std::max(0, v - reach_v_);
   const int last = std::min(height - 1, v + reach_v_);
   for (int x = 0; x < width; x += kBlockColumns) {

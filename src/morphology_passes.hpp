@@ -1,11 +1,13 @@
 // How a flat element is applied to a plane. Three ways, all exact; which is fastest depends on the element's size.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <memory>
 #include <new>
+#include <type_traits>
 #include <vector>
 
 #include "adit/morphology.hpp"
@@ -87,59 +89,119 @@ class RectanglePass {
   int rows_out_ = 0;
 };
 
-/// A centred rectangle inside an element, by its half sides.
-struct Reach {
-  int u = 0;
-  int v = 0;
+/// Rows in memory: of a plane, or of a ring that holds the last few. A row is whole vectors, and a tail where the width
+/// is no multiple of a vector: that vector lies apart, filled up with what is never better.
+template <class Byte>
+struct Rows {
+  Byte* first = nullptr;
+  std::ptrdiff_t stride = 0;
+  int mask = -1;  ///< of the row's number; -1: all rows are there
+  Byte* tails = nullptr;
+  std::ptrdiff_t tail_stride = 0;
+  int tail_mask = -1;
+
+  [[nodiscard]] Byte* row(int v) const noexcept { return first + static_cast<std::ptrdiff_t>(v & mask) * stride; }
+  [[nodiscard]] Byte* tail(int v) const noexcept {
+    return tails + static_cast<std::ptrdiff_t>(v & tail_mask) * tail_stride;
+  }
 };
 
-/// The maximal centred rectangles of an element, from the widest (and lowest) to the narrowest (and highest): their
-/// union is the element.
-void list_rectangles(const StructuringElement& element, std::vector<Reach>& rectangles);
-
-/// The best value over an element that is the union of `rectangles`, a few rows at a time, for elements of few rows.
-/// Vertical windows first, all rectangles in one go; then, because taking the best distributes over itself, the
-/// rectangles are widened step by step, each step serving all wider ones (Horner's scheme).
-class EllipseRows {
+/// The best value over a small round or square element, in pairs of rows, handed in from the top to the bottom. Results
+/// are late by a few vectors, so that a pair may be complete only after the next ones have been taken.
+class SweepPass {
  public:
-  /// Elements higher than this are left to LargeEllipse.
-  static constexpr int kHeightMax_px = 31;
-  /// Rows made together, an even number; a row alone would wait for its own last store at every step.
+  /// Pairs that go through the loop together.
   static constexpr int kBatch = 4;
 
-  [[nodiscard]] static std::size_t bytes_needed(int width, const StructuringElement& element) noexcept;
+  [[nodiscard]] static bool takes(const Order& order, const StructuringElement& element) noexcept;
 
-  EllipseRows(Order order, int width, const std::vector<Reach>& rectangles, std::uint8_t* work) noexcept;
+  /// Makes room. May throw std::bad_alloc.
+  void reserve(int width, const StructuringElement& element);
+  void start(Order order, int width, int height, const StructuringElement& element, Rows<const std::uint8_t> in,
+             Rows<std::uint8_t> out) noexcept;
 
-  /// Takes two rows of the batch; widen() then makes all of it.
-  /// @param slot  of the upper row: 0, 2, ...
-  /// @param rows  the two middle rows; then, going outwards, the row above the upper and the row below the lower one,
-  ///              reach_v() times. Where the plane has no such row, the nearer middle stands in: it is under both
-  ///              elements anyway.
-  void stack(int slot, const std::uint8_t* const* rows) const noexcept;
-  /// @param out  where to write the rows of the batch.
-  void widen(std::uint8_t* const* out, int count) const noexcept;
-  [[nodiscard]] int reach_v() const noexcept { return reach_[count_ - 1]; }
+  /// Takes rows v and v + 1; the rows up to v + 1 + reach must be there.
+  void take(int v) noexcept;
+  /// Works off what was taken.
+  void run() noexcept;
+  /// Works off all, after the last row.
+  void finish() noexcept;
+  /// Rows that are complete. Rows of the pairs before, from rows_done() - reach on, are still read.
+  [[nodiscard]] int rows_done() const noexcept { return rows_done_; }
+
+  /// Rows that a ring must have between two passes, or for the tails of a plane.
+  [[nodiscard]] static int ring_rows(int width, const StructuringElement& element) noexcept;
 
  private:
-  struct Step {
-    int shift;
-    const std::uint8_t* also;  ///< next rectangle's vertical window, or null
-  };
-  void add_widening(int reach_u, const std::uint8_t* also) noexcept;
+  void lay_out_places() noexcept;
+  void list_rows(int v, const std::uint8_t** rows, bool tails) const noexcept;
+  void sweep(const kernels::SweepPlace* places, int count) noexcept;
 
-  static constexpr int kRectanglesMax = kHeightMax_px / 2 + 1;
-  static constexpr int kStepsMax = 64;
-  Order order_;
-  int width_;
-  std::size_t pitch_;  ///< from row to row of a batch
-  std::size_t lead_;   ///< columns that are widened before the first row's first column
-  int count_ = 0;
-  int reach_[kRectanglesMax];
-  std::uint8_t* window_[kRectanglesMax];
-  std::uint8_t* widened_[2];
-  int step_count_ = 0;
-  Step steps_[kStepsMax];
+  kernels::SweepLoop loop_ = nullptr;
+  int lanes_ = 1;
+  int body_ = 0;  ///< columns of a row's whole vectors
+  int tail_ = 0;  ///< columns of its tail
+  int height_ = 0;
+  int reach_ = 0;
+  int lag_ = 0;          ///< places by which results are late
+  int pair_places_ = 1;  ///< places of a pair of rows
+  int slots_ = 0;        ///< for pairs, used in turn: those on their way stay
+  int first_slot_ = 0;   ///< of the pairs taken, but not yet worked off
+  int next_slot_ = 0;
+  int rows_done_ = 0;
+  std::int64_t places_done_ = 0;
+  Rows<const std::uint8_t> in_;
+  Rows<std::uint8_t> out_;
+  AlignedBytes state_;
+  AlignedBytes gap_;      ///< one vector that is never better
+  AlignedBytes nowhere_;  ///< a row to write to that nobody reads
+  std::vector<kernels::SweepPlace> places_;
+  std::vector<kernels::SweepPair> pairs_;  ///< of a slot: its whole vectors, its tail
+  std::vector<const std::uint8_t*> row_lists_;
+  std::vector<const std::uint8_t*> gap_rows_;
+  kernels::SweepPair gap_pair_;
+};
+
+/// The rows of a plane, and copies of their tails in a ring.
+template <class Plane>
+auto rows_of(Plane plane, AlignedBytes& tails, int ring_rows) {
+  using Byte = std::remove_pointer_t<decltype(plane.data)>;
+  return Rows<Byte>{.first = plane.data,
+                    .stride = plane.stride_bytes,
+                    .tails = tails.get(),
+                    .tail_stride = AlignedBytes::kAlignment,
+                    .tail_mask = ring_rows - 1};
+}
+
+/// Copies tails of a plane's rows into the ring as they are needed, filled up with what is never better; or out of it.
+class RowTails {
+ public:
+  RowTails(AlignedBytes& ring, int ring_rows, int width) noexcept
+      : ring_(ring.get()), mask_(ring_rows - 1), tail_(width % kernels::pixel_loops().lanes), body_(width - tail_) {}
+
+  void fill(std::uint8_t identity) noexcept {
+    std::memset(ring_, identity, (static_cast<std::size_t>(mask_) + 1) * AlignedBytes::kAlignment);
+  }
+  void take(ConstPlaneView plane, int end) noexcept {
+    for (; tail_ > 0 && done_ < std::min(end, plane.height); ++done_) {
+      std::memcpy(of(done_), plane.row(done_) + body_, static_cast<std::size_t>(tail_));
+    }
+  }
+  void give(PlaneView plane, int end) noexcept {
+    for (; tail_ > 0 && done_ < end; ++done_) {
+      std::memcpy(plane.row(done_) + body_, of(done_), static_cast<std::size_t>(tail_));
+    }
+  }
+
+ private:
+  [[nodiscard]] std::uint8_t* of(int v) const noexcept {
+    return ring_ + static_cast<std::size_t>(v & mask_) * AlignedBytes::kAlignment;
+  }
+  std::uint8_t* ring_;
+  int mask_;
+  int tail_;
+  int body_;
+  int done_ = 0;
 };
 
 /// The best value over an element of many rows. Strips of columns; chords of each row come from tables of windows of
@@ -147,9 +209,9 @@ class EllipseRows {
 /// nowhere goes beyond its inner neighbour is covered by that neighbour's longer chord.
 class LargeEllipse {
  public:
-  [[nodiscard]] static std::size_t bytes_needed(int width, int height, const StructuringElement& element) noexcept;
+  [[nodiscard]] static std::size_t bytes_needed(int height, const StructuringElement& element) noexcept;
 
-  LargeEllipse(Order order, int width, int height, const StructuringElement& element, std::uint8_t* work) noexcept;
+  LargeEllipse(Order order, int height, const StructuringElement& element, std::uint8_t* work) noexcept;
   void apply(ConstPlaneView in, PlaneView out) noexcept;
 
  private:
@@ -163,15 +225,14 @@ class LargeEllipse {
   void strip(ConstPlaneView in, PlaneView out, int begin, int width) noexcept;
   void take_row(ConstPlaneView in, int v, int begin, int width) noexcept;
   void mark_rows(int v, int cells) noexcept;
-  void make_row(int v, int height, int begin, int width, std::uint8_t* out) noexcept;
+  void make_row(int v, int height, int width, std::uint8_t* out) noexcept;
   void add_marked(const std::uint64_t* marks, int first, int last, int v, int x) noexcept;
   [[nodiscard]] std::uint8_t* slot(int v) const noexcept;
 
   Order order_;
   const StructuringElement& element_;
-  int reach_u_;
   int reach_v_;
-  int ring_;           ///< rows kept
+  int ring_;           ///< rows kept, a power of two
   int margin_;         ///< columns kept at both sides of a strip, a multiple of the cell
   int levels_;         ///< tables of windows: 1, 2, 4, ... columns
   std::size_t pitch_;  ///< of a table's row
@@ -186,11 +247,12 @@ class LargeEllipse {
   std::uint8_t* slots_;
 };
 
-/// The buffers of all calls. `element` and `rectangles` are those of the last reserve() for an ellipse.
+/// The buffers of all calls.
 struct MorphologyScratch::Buffers {
-  AlignedBytes work;   ///< of a pass
-  AlignedBytes plane;  ///< between dilation and erosion, or a copy of the input
-  std::vector<Reach> rectangles;
+  AlignedBytes work;      ///< of a pass
+  AlignedBytes plane;     ///< between dilation and erosion, or a copy of the input
+  AlignedBytes tails[2];  ///< of the rows that come in and go out
+  SweepPass passes[2];
 };
 
 }  // namespace adit

@@ -51,6 +51,5 @@ inline std::uint64_t masked_triplet_sum(const std::uint8_t* p, const std::uint8_
   __m128i total = _mm_sad_epu8(_mm_and_si128(load16(p), _mm_shuffle_epi8(mask, first)), zero);
   total = _mm_add_epi64(total, _mm_sad_epu8(_mm_and_si128(load16(p + 16), _mm_shuffle_epi8(mask, second)), zero));
   total = _mm_add_epi64(total, _mm_sad_epu8(_mm_and_si128(load16(p + 32), _mm_shuffle_epi8(mask, third)), zero));
-  return static_cast<std::uint64_t>(_mm_cvtsi128_si32(total)) +
-         static_cast<std::uint64_t>(_mm_extract_epi32(total, 2));
+  return static_cast<std::uint64_t>(_mm_cvtsi128_si32(total)) + static_cast<std::uint64_t>(_mm_extract_epi32(total, 2));
 }

@@ -2,7 +2,7 @@ target_sources(adit_core PRIVATE
   structuring_element.cpp
   morphology.cpp
   row_window.cpp
-  small_ellipse.cpp
+  sweep_pass.cpp
   large_ellipse.cpp
   dark_channel.cpp
   atmospheric_light.cpp

@@ -4,11 +4,6 @@
 // same, at_most, minus, sum) and the pixel-format blocks. Nothing here may be an inline function with external linkage:
 // the linker would be free to take a copy made for another CPU.
 
-template <int kCount>
-struct Count {
-  static constexpr int value = kCount;
-};
-
 struct Smallest {
   static Bytes of(Bytes a, Bytes b) { return smallest(a, b); }
   static std::uint8_t of(std::uint8_t a, std::uint8_t b) { return a < b ? a : b; }
@@ -61,94 +56,6 @@ void fold(const std::uint8_t* row, std::uint8_t* running, const std::uint8_t* su
         running[x] = Order::of(running[x], row[x]);
         out[x] = Order::of(running[x], suffix[x]);
       });
-}
-
-template <class Order>
-void spread(const std::uint8_t* in, int shift, const std::uint8_t* also, std::uint8_t* out, int width) {
-  const std::uint8_t* left = in - shift;
-  const std::uint8_t* right = in + shift;
-  if (also == nullptr) {
-    along(
-        width,
-        [&](std::ptrdiff_t x) { store(out + x, Order::of(Order::of(load(left + x), load(right + x)), load(in + x))); },
-        [&](std::ptrdiff_t x) { out[x] = Order::of(Order::of(left[x], right[x]), in[x]); });
-    return;
-  }
-  along(
-      width,
-      [&](std::ptrdiff_t x) {
-        store(out + x, Order::of(Order::of(load(left + x), load(right + x)), Order::of(load(in + x), load(also + x))));
-      },
-      [&](std::ptrdiff_t x) { out[x] = Order::of(Order::of(left[x], right[x]), Order::of(in[x], also[x])); });
-}
-
-// kVectors vectors side by side, so that a row's address is fetched once for all of them. `common` holds the rows that
-// the windows of both middles have in common.
-template <class Order, int kVectors>
-inline void stack_columns(const std::uint8_t* const* rows, const int* reach, int count, std::uint8_t* const* out_upper,
-                          std::uint8_t* const* out_lower, std::ptrdiff_t x) {
-  constexpr int kLanes = Bytes::kLanes;
-  const auto at = [&](const std::uint8_t* row, int i) { return load(row + x + i * kLanes); };
-  Bytes common[kVectors];
-  for (int i = 0; i < kVectors; ++i) common[i] = Order::of(at(rows[0], i), at(rows[1], i));
-  const std::uint8_t* const* pair = rows + 2;
-  int j = 0;
-  if (reach[0] == 0) {
-    for (int i = 0; i < kVectors; ++i) {
-      store(out_upper[0] + x + i * kLanes, at(rows[0], i));
-      store(out_lower[0] + x + i * kLanes, at(rows[1], i));
-    }
-    j = 1;
-  }
-  for (; j < count; ++j) {
-    for (const std::uint8_t* const* last = rows + 2 * reach[j]; pair < last; pair += 2) {
-      for (int i = 0; i < kVectors; ++i) common[i] = Order::of(common[i], Order::of(at(pair[0], i), at(pair[1], i)));
-    }
-    for (int i = 0; i < kVectors; ++i) {
-      const Bytes below = at(pair[1], i);
-      const Bytes upper = Order::of(common[i], at(pair[0], i));
-      store(out_upper[j] + x + i * kLanes, upper);
-      store(out_lower[j] + x + i * kLanes, Order::of(common[i], below));
-      common[i] = Order::of(upper, below);
-    }
-    pair += 2;
-  }
-}
-
-template <class Order>
-void stack(const std::uint8_t* const* rows, const int* reach, int count, std::uint8_t* const* out_upper,
-           std::uint8_t* const* out_lower, int width) {
-  const auto columns = [&](auto vectors, int begin) {
-    stack_columns<Order, decltype(vectors)::value>(rows, reach, count, out_upper, out_lower, begin);
-  };
-  int x = 0;
-  for (; x + 5 * Bytes::kLanes <= width; x += 5 * Bytes::kLanes) columns(Count<5>{}, x);
-  for (; x + 2 * Bytes::kLanes <= width; x += 2 * Bytes::kLanes) columns(Count<2>{}, x);
-  if (x + Bytes::kLanes <= width) {
-    columns(Count<1>{}, x);
-    x += Bytes::kLanes;
-  }
-  if (x == width) return;
-  if (width >= Bytes::kLanes) {
-    return columns(Count<1>{}, width - Bytes::kLanes);
-  }
-  for (; x < width; ++x) {
-    std::uint8_t common = Order::of(rows[0][x], rows[1][x]);
-    int dv = 1;
-    int j = 0;
-    if (reach[0] == 0) {
-      out_upper[0][x] = rows[0][x];
-      out_lower[0][x] = rows[1][x];
-      j = 1;
-    }
-    for (; j < count; ++j) {
-      for (; dv < reach[j]; ++dv) common = Order::of(common, Order::of(rows[2 * dv][x], rows[2 * dv + 1][x]));
-      out_upper[j][x] = Order::of(common, rows[2 * dv][x]);
-      out_lower[j][x] = Order::of(common, rows[2 * dv + 1][x]);
-      common = Order::of(out_upper[j][x], rows[2 * dv + 1][x]);
-      ++dv;
-    }
-  }
 }
 
 template <class Order>
@@ -280,29 +187,40 @@ void count_levels(const std::uint8_t* plane, std::ptrdiff_t stride, int width, i
   }
 }
 
-// Counts values that may be among the brightest `wanted`. Rises `floor` (see BrightTail) as it learns more.
+// Counts values that may be among the brightest `wanted`. Rises `floor` (see BrightTail) as it learns more. Bright
+// places are flat: a vector has few different levels, and each is counted at once.
+inline void raise_floor(BrightTail* tail) {
+  while (tail->above_floor >= tail->wanted) tail->above_floor -= tail->counters[++tail->floor];
+}
+
 void count_tail(const std::uint8_t* row, int width, BrightTail* tail) {
   constexpr int kLanes = Bytes::kLanes;
   int x = 0;
-  Bytes below = fill(static_cast<std::uint8_t>(tail->floor > 0 ? tail->floor - 1 : 0));
-  while (x < width) {
-    int end = width;
-    if (x + kLanes <= width) {
-      end = x + kLanes;
-      if (tail->floor > 0 && !any_above(load(row + x), below)) {
-        x = end;
-        continue;
-      }
-    }
+  for (; x + kLanes <= width; x += kLanes) {
+    Bytes left = load(row + x);
     const int floor_before = tail->floor;
-    for (; x < end; ++x) {
-      const int level = row[x];
-      if (level < floor_before) continue;
-      ++tail->counters[level];
-      tail->above_floor += level > tail->floor;
+    if (floor_before > 0 && !any_above(left, fill(static_cast<std::uint8_t>(floor_before - 1)))) continue;
+    std::uint32_t counted = 0;
+    while (counted < kLanes) {
+      const int level = most(left);
+      if (level < floor_before) break;
+      std::uint32_t there = kLanes - counted;  // level 0: all that are left
+      if (level > 0) {
+        const Bytes lower = at_most(left, fill(static_cast<std::uint8_t>(level - 1)));  // 255 is -1
+        there = kLanes - sum(minus(fill(0), lower));
+        left = smallest(left, lower);
+      }
+      counted += there;
+      tail->counters[level] += there;
+      if (level > tail->floor) tail->above_floor += there;
     }
-    while (tail->above_floor >= tail->wanted) tail->above_floor -= tail->counters[++tail->floor];
-    if (tail->floor != floor_before) below = fill(static_cast<std::uint8_t>(tail->floor - 1));
+    raise_floor(tail);
+  }
+  for (; x < width; ++x) {
+    if (row[x] < tail->floor) continue;
+    ++tail->counters[row[x]];
+    tail->above_floor += row[x] > tail->floor;
+    raise_floor(tail);
   }
 }
 
@@ -359,9 +277,22 @@ std::uint64_t sum_where_bright(const std::uint8_t* from, int channels, const std
   return total;
 }
 
+#include "sweep.inl"
+
 template <class Order>
-constexpr OrderLoops order_loops() {
-  return {join<Order>, fold<Order>, spread<Order>, stack<Order>, gather<Order>, compare_cells<Order>};
+constexpr OrderLoops order_loops(SweepLoops square) {
+  using Halves = IndicesTo<kSweepHalfMax_px>::type;
+  return {join<Order>, fold<Order>, gather<Order>, compare_cells<Order>, sweep_loops<Order, Round>(Halves{}), square};
 }
 
-constexpr PixelLoops kLoops = {order_loops<Smallest>(), order_loops<Largest>(), triplet_minimum, quad_minimum, grey16_to_8, count_levels, count_tail, count_mask, sum_where_bright};
+constexpr SweepLoops kSquareErosions = sweep_loops<Smallest, Square>(IndicesTo<kSweepHalfMax_px>::type{});
+constexpr PixelLoops kLoops = {Bytes::kLanes,
+                               order_loops<Smallest>(kSquareErosions),
+                               order_loops<Largest>({}),
+                               triplet_minimum,
+                               quad_minimum,
+                               grey16_to_8,
+                               count_levels,
+                               count_tail,
+                               count_mask,
+                               sum_where_bright};

@@ -8,11 +8,13 @@ find_package(OpenCV REQUIRED COMPONENTS core imgcodecs)
 target_sources(adit_sim PRIVATE
   light/scene.cpp
   light/contact.cpp
-  light/corner_table.cpp
+  light/triangle_table.cpp
   light/lamp_lobe.cpp
   light/dust.cpp
   light/virtual_lights.cpp
   light/foreign_lamps.cpp
+  light/primary_rays.cpp
+  light/shadows.cpp
   light/light_pass.cpp
   light/lens_pass.cpp
   light/grains.cpp

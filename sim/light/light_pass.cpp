@@ -36,133 +36,6 @@ void fill_row_poses(Renderer::Parts& parts, const CameraMotion& motion, float re
   }
 }
 
-/// Closest hits of all lanes, in packets of 8 x 2 pixels. @return whether anything was hit.
-bool trace(Tile& t, const Renderer::Parts& parts) {
-  constexpr int kWide = 8;
-  RayPacket rays;
-  HitPacket hits;
-  bool any = false;
-  for (int j = 0; j < kPacket; ++j) {
-    rays.tnear[j] = 0.02f;
-    rays.tfar[j] = kRangeOfNothing_m;
-  }
-  for (int v = 0; v < kTileHeight; v += 2)
-    for (int u = 0; u < kTileWidth; u += kWide) {
-      const auto lane = [&](int j) { return (v + j / kWide) * kTileWidth + u + j % kWide; };
-      for (int j = 0; j < kPacket; ++j) {
-        const int i = lane(j);
-        rays.origin[0][j] = t.ox[i];
-        rays.origin[1][j] = t.oy[i];
-        rays.origin[2][j] = t.oz[i];
-        rays.direction[0][j] = t.dx[i];
-        rays.direction[1][j] = t.dy[i];
-        rays.direction[2][j] = t.dz[i];
-      }
-      parts.scene->intersect(rays, hits);
-      for (int j = 0; j < kPacket; ++j) {
-        const int i = lane(j);
-        const bool hit = hits.triangle[j] != kNoTriangle;
-        any |= hit;
-        t.range[i] = hit ? hits.t[j] : kRangeOfNothing_m;
-        t.gx[i] = hit ? hits.normal[0][j] : 0.0f;
-        t.gy[i] = hit ? hits.normal[1][j] : 0.0f;
-        t.gz[i] = hit ? hits.normal[2][j] : 1.0f;
-        t.bu[i] = hit ? hits.u[j] : 0.0f;
-        t.bv[i] = hit ? hits.v[j] : 0.0f;
-        t.triangle[i] = hit ? static_cast<std::int32_t>(hits.triangle[j]) : -1;
-        t.material[i] = hit ? parts.world->mesh.materials[hits.triangle[j]] : 0;
-      }
-    }
-  return any;
-}
-
-constexpr int kShadeBlock = 4;  ///< px; shadows are probed at the corners of such blocks first
-
-/// Puts the ray from the surface at lane i to the lamp into lane j of a packet.
-void aim_at_lamp(const Tile& t, int i, RayPacket& rays, int j) {
-  // Off the surface, so that it does not shade itself.
-  const float off = 2e-3f + 2e-4f * t.range[i];
-  rays.origin[0][j] = t.px[i] + off * t.gx[i];
-  rays.origin[1][j] = t.py[i] + off * t.gy[i];
-  rays.origin[2][j] = t.pz[i] + off * t.gz[i];
-  rays.direction[0][j] = t.lx[i] - off * t.gx[i];
-  rays.direction[1][j] = t.ly[i] - off * t.gy[i];
-  rays.direction[2][j] = t.lz[i] - off * t.gz[i];
-  rays.tnear[j] = 0.0f;
-  rays.tfar[j] = t.triangle[i] >= 0 ? 0.999f : -1.0f;
-}
-
-/// First lane of block b of a tile.
-constexpr int lane_of_block(int b) {
-  constexpr int kAcross = kTileWidth / kShadeBlock;
-  return (b / kAcross) * kShadeBlock * kTileWidth + (b % kAcross) * kShadeBlock;
-}
-constexpr int kShadeBlocks = kTileLanes / (kShadeBlock * kShadeBlock);
-
-/// Whether the surface goes on through a block and faces its lamp at all corners, so that corners speak for the rest.
-bool is_even(const Tile& t, int first) {
-  float low = 1e30f, high = 0.0f;
-  for (int v = 0; v < kShadeBlock; ++v)
-    for (int u = 0; u < kShadeBlock; ++u) {
-      const float r = t.range[first + v * kTileWidth + u];
-      low = r < low ? r : low;
-      high = r > high ? r : high;
-    }
-  return high < 1.12f * low;
-}
-
-/// Takes over the shares of the lanes in `lit` of a block (bit v * kShadeBlock + u).
-void take(const Tile& t, int first, std::uint32_t lit, float* into, float* specular_into) {
-  for (int k = 0; k < kPacket; ++k) {
-    const int i = first + (k / kShadeBlock) * kTileWidth + k % kShadeBlock;
-    const float through = (lit >> k & 1u) ? 1.0f : 0.0f;
-    into[i] += through * t.share[i];
-    specular_into[i] += through * t.share_specular[i];
-  }
-}
-
-/// Takes the shares of the last lamp over where nothing stands between; blocks whose shares all lie below least_lux
-/// are dropped. Four corners of a block are probed first: where they agree and the surface is even, they stand for all.
-void add_unshadowed(Tile& t, const Renderer::Parts& parts, float least_lux, float* into, float* specular_into) {
-  static_assert(kShadeBlock * kShadeBlock == kPacket);
-  constexpr int kCorner[4] = {0, kShadeBlock - 1, (kShadeBlock - 1) * kTileWidth,
-                              (kShadeBlock - 1) * kTileWidth + kShadeBlock - 1};
-  int wanted[kShadeBlocks], count = 0;
-  for (int b = 0; b < kShadeBlocks; ++b) {
-    float most = 0.0f;
-    for (int k = 0; k < kPacket; ++k) {
-      const int i = lane_of_block(b) + (k / kShadeBlock) * kTileWidth + k % kShadeBlock;
-      const float share = t.share[i] + t.share_specular[i];
-      most = share > most ? share : most;
-    }
-    if (most > least_lux) wanted[count++] = b;
-  }
-  RayPacket rays;
-  for (int first = 0; first < count; first += 4) {
-    const int blocks = std::min(4, count - first);
-    std::uint32_t dark = 0;
-    if (parts.render.shadows) {
-      for (int j = 0; j < kPacket; ++j)
-        if (j / 4 < blocks)
-          aim_at_lamp(t, lane_of_block(wanted[first + j / 4]) + kCorner[j % 4], rays, j);
-        else
-          rays.tnear[j] = 0.0f, rays.tfar[j] = -1.0f;
-      dark = parts.scene->occluded(rays);
-    }
-    for (int b = 0; b < blocks; ++b) {
-      const int lane = lane_of_block(wanted[first + b]);
-      const std::uint32_t corners = dark >> (4 * b) & 0xfu;
-      if (!parts.render.shadows || ((corners == 0 || corners == 0xfu) && is_even(t, lane))) {
-        take(t, lane, corners == 0 ? 0xffffu : 0u, into, specular_into);
-        continue;
-      }
-      for (int k = 0; k < kPacket; ++k)
-        aim_at_lamp(t, lane + (k / kShadeBlock) * kTileWidth + k % kShadeBlock, rays, k);
-      take(t, lane, ~parts.scene->occluded(rays) & 0xffffu, into, specular_into);
-    }
-  }
-}
-
 struct Bounds {
   Vector3f low = Vector3f::Constant(1e30f), high = Vector3f::Constant(-1e30f);
   [[nodiscard]] float distance2_to(const float* p) const {
@@ -189,9 +62,15 @@ Bounds bounds_of(const Tile& t) {
 void add_own_lamps(Tile& t, const Renderer::Parts& parts, const RowPose* rows, float least_lux) {
   for (std::size_t l = 0; l < parts.own_lamps.size(); ++l) {
     const OwnLamp& lamp = parts.own_lamps[l];
-    shade_kernels().lamp(t, {rows[0].lamp_place[l], rows[0].lamp_axis[l], sizeof(RowPose) / sizeof(float),
-                             lamp.lobe.table(), lamp.intensity_cd, 0.0f, parts.rig.dust.extinction_1_m});
-    add_unshadowed(t, parts, least_lux, t.own, t.own_specular);
+    const LampTerms terms{rows[0].lamp_place[l],
+                          rows[0].lamp_axis[l],
+                          sizeof(RowPose) / sizeof(float),
+                          lamp.lobe.table(),
+                          lamp.intensity_cd,
+                          0.0f,
+                          parts.rig.dust.extinction_1_m};
+    shade_kernels().lamp(t, terms);
+    add_unshadowed(t, parts, terms, least_lux, t.own, t.own_specular);
   }
 }
 
@@ -203,9 +82,9 @@ void add_foreign_lamps(Tile& t, const Renderer::Parts& parts, float least_lux) {
     const float radius2 = lamp.radius_m * lamp.radius_m;
     const float d2 = bounds.distance2_to(lamp.place.data()) + radius2;
     if (lamp.intensity_cd * std::exp(-sigma * std::sqrt(d2)) < least_lux * d2) continue;
-    shade_kernels().lamp(
-        t, {lamp.place.data(), lamp.axis.data(), 0, lamp.lobe.table(), lamp.intensity_cd, radius2, sigma});
-    add_unshadowed(t, parts, least_lux, lamp.daylight ? t.sky : t.foreign, t.foreign_specular);
+    const LampTerms terms{lamp.place.data(), lamp.axis.data(), 0, lamp.lobe.table(), lamp.intensity_cd, radius2, sigma};
+    shade_kernels().lamp(t, terms);
+    add_unshadowed(t, parts, terms, least_lux, lamp.daylight ? t.sky : t.foreign, t.foreign_specular);
   }
   const float clamp2 = parts.render.indirect_clamp_m * parts.render.indirect_clamp_m;
   for (const VirtualLight& light : parts.foreign_bounces)
@@ -249,9 +128,8 @@ void light_tile(Renderer::Parts& parts, int tile_u, int tile_v, float least_lux)
   const float* const directions[3] = {&parts.directions[0][at], &parts.directions[1][at], &parts.directions[2][at]};
   const ShadeKernels& kernels = shade_kernels();
   kernels.aim(t, rows, directions, parts.stride);
-  const bool any = trace(t, parts);
-  kernels.surface(t, {&parts.materials, parts.corners.normals.data(), parts.corners.reflectance.data(),
-                      parts.pixel_angle, parts.render.facets});
+  const bool any = trace_tile(t, *parts.scene);
+  kernels.surface(t, {&parts.materials, parts.triangles.data(), parts.pixel_angle, parts.render.facets});
   const RenderConfig& r = parts.render;
   if (any) {
     add_own_lamps(t, parts, rows, least_lux);

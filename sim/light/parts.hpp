@@ -43,12 +43,6 @@ struct SensorTables {
   std::vector<std::uint8_t> tone;
 };
 
-/// What is smooth over edges of the mesh: nine floats a triangle, three a corner.
-struct CornerTable {
-  std::vector<float> normals;      ///< x, y, z
-  std::vector<float> reflectance;  ///< albedo, specular, facet_slope
-};
-
 struct Renderer::Parts {
   const World* world = nullptr;
   RigConfig rig;
@@ -59,7 +53,7 @@ struct Renderer::Parts {
   int width = 0, height = 0, stride = 0, rows = 0;  ///< stride and rows are rounded up to whole tiles
   float pixel_angle = 0.0f;
   std::vector<float> directions[3];
-  CornerTable corners;
+  std::vector<TriangleRow> triangles;
   MaterialTable materials{};
   std::vector<OwnLamp> own_lamps;
   std::vector<ForeignLamp> foreign_lamps;
@@ -88,7 +82,7 @@ struct Renderer::Parts {
 };
 
 // Made once.
-CornerTable corner_table_of(const World& world);
+std::vector<TriangleRow> triangle_table_of(const World& world);
 MaterialTable material_table_of(const World& world);
 std::vector<ForeignLamp> foreign_lamps_of(const World& world, const RayScene& scene);
 std::vector<VirtualLight> bounces_of_foreign(const World& world, const RayScene& scene,
@@ -102,6 +96,14 @@ SensorTables sensor_tables_of(const Renderer::Parts& parts);
 void add_bounces(std::vector<VirtualLight>& lights, const World& world, const RayScene& scene,
                  const Eigen::Isometry3f& pose, const LampLobe& lobe, float intensity_cd, int count,
                  float extinction_1_m, int colour);
+
+/// Closest hits of all lanes of a tile that is aimed. @return whether anything was hit.
+bool trace_tile(Tile& tile, const RayScene& scene);
+
+/// Takes the shares of the lamp that was asked last over where nothing stands between; blocks of pixels whose shares
+/// all lie below least_lux are dropped.
+void add_unshadowed(Tile& tile, const Renderer::Parts& parts, const LampTerms& lamp, float least_lux, float* into,
+                    float* specular_into);
 
 // The passes, in order.
 void light_pass(Renderer::Parts& parts, const CameraMotion& motion, float readout_s);

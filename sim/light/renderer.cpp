@@ -126,7 +126,7 @@ Renderer::Renderer(const World& world, const RigConfig& rig, const RenderConfig&
   p.rows = (p.height + kTileHeight - 1) / kTileHeight * kTileHeight;
   p.pixel_angle = static_cast<float>(1.0 / p.camera->model().focal_length_x_px);
   fill_directions(p);
-  p.corners = corner_table_of(world);
+  p.triangles = triangle_table_of(world);
   p.own_lamps = own_lamps_of(rig);
   p.foreign_lamps = foreign_lamps_of(world, *p.scene);
   if (render.virtual_lights > 0)

@@ -38,42 +38,44 @@ void aim(Tile& t, const RowPose* rows, const float* const directions[3], int str
   }
 }
 
-/// Place, interpolated normal, geometric normal turned to the eye.
-void geometry(Tile& t, const float* normals) {
+/// Place, interpolated normal, geometric normal turned to the eye, material.
+void geometry(Tile& t, const TriangleRow* rows) {
+  const float* const table = rows->corner;
   ADIT_LANES
   for (int i = 0; i < kTileLanes; ++i) {
     const float range = clamped(t.range[i], 0.0f, 1e5f);  // where nothing is hit, places still fit integers
     t.px[i] = t.ox[i] + t.dx[i] * range;
     t.py[i] = t.oy[i] + t.dy[i] * range;
     t.pz[i] = t.oz[i] + t.dz[i] * range;
-    float gx = t.gx[i], gy = t.gy[i], gz = t.gz[i];
+    const std::int32_t at = (t.triangle[i] < 0 ? 0 : t.triangle[i]) * kRowFloats;
+    float gx = table[at + 9], gy = table[at + 10], gz = table[at + 11];
     const float side = gx * t.dx[i] + gy * t.dy[i] + gz * t.dz[i] > 0.0f ? -1.0f : 1.0f;
     const float g = side / std::sqrt(gx * gx + gy * gy + gz * gz + 1e-30f);
     t.gx[i] = gx *= g;
     t.gy[i] = gy *= g;
     t.gz[i] = gz *= g;
-    const std::int32_t at = (t.triangle[i] < 0 ? 0 : t.triangle[i]) * 9;
     const float b = t.bu[i], c = t.bv[i], a = 1.0f - b - c;
-    const float nx = a * normals[at] + b * normals[at + 3] + c * normals[at + 6];
-    const float ny = a * normals[at + 1] + b * normals[at + 4] + c * normals[at + 7];
-    const float nz = a * normals[at + 2] + b * normals[at + 5] + c * normals[at + 8];
+    const float nx = a * table[at + 12] + b * table[at + 15] + c * table[at + 18];
+    const float ny = a * table[at + 13] + b * table[at + 16] + c * table[at + 19];
+    const float nz = a * table[at + 14] + b * table[at + 17] + c * table[at + 20];
     // On the side of the geometric normal, whatever the winding.
     const float turn = nx * gx + ny * gy + nz * gz < 0.0f ? -1.0f : 1.0f;
     const float n = turn / std::sqrt(nx * nx + ny * ny + nz * nz + 1e-30f);
     t.nx[i] = nx * n;
     t.ny[i] = ny * n;
     t.nz[i] = nz * n;
+    t.material[i] = float_to_bits(table[at + 30]);
   }
 }
 
 /// Albedo, gloss and slope of facets run from corner to corner, so that wet and dry do not meet along triangles.
 void reflectance(Tile& t, const SurfaceTerms& terms) {
   const MaterialTable& m = *terms.materials;
-  const float* const corners = terms.corner_reflectance;
+  const float* const corners = terms.triangles->reflectance;
   ADIT_LANES
   for (int i = 0; i < kTileLanes; ++i) {
     const std::int32_t k = t.material[i];
-    const std::int32_t at = (t.triangle[i] < 0 ? 0 : t.triangle[i]) * 9;
+    const std::int32_t at = (t.triangle[i] < 0 ? 0 : t.triangle[i]) * kRowFloats;
     const float b = t.bu[i], c = t.bv[i], a = 1.0f - b - c;
     t.albedo[i] = a * corners[at] + b * corners[at + 3] + c * corners[at + 6];
     t.specular[i] = a * corners[at + 1] + b * corners[at + 4] + c * corners[at + 7];
@@ -165,7 +167,7 @@ void roughen(Tile& t, const SurfaceTerms& terms) {
 }
 
 void surface(Tile& t, const SurfaceTerms& s) {
-  geometry(t, s.corner_normals);
+  geometry(t, s.triangles);
   reflectance(t, s);
   if (s.facets) roughen(t, s);
   ADIT_LANES
@@ -206,9 +208,6 @@ void lamp(Tile& t, const LampTerms& terms) {
       const float peak = t.specular[i] * (s + 8.0f) * (0.125f / kPi) * exp2_lane(s * log2_lane(gloss));
       t.share[i] = e;
       t.share_specular[i] = e * peak;
-      t.lx[i] = lx;
-      t.ly[i] = ly;
-      t.lz[i] = lz;
     }
   }
 }

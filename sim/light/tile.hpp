@@ -1,6 +1,7 @@
 // A block of pixels on its way through the shading loops, as structure of arrays.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string_view>
 #include <vector>
@@ -10,6 +11,15 @@ namespace adit::sim {
 inline constexpr int kTileWidth = 32;
 inline constexpr int kTileHeight = 8;
 inline constexpr int kTileLanes = kTileWidth * kTileHeight;
+inline constexpr int kBlock = 4;  ///< px; blocks of 4 x 4 are cast as one packet, and ask for shadows together
+inline constexpr int kBlocks = kTileLanes / (kBlock * kBlock);
+/// First lane of each block.
+inline constexpr std::array<int, kBlocks> kBlockLanes = [] {
+  std::array<int, kBlocks> lanes{};
+  for (int b = 0; b < kBlocks; ++b)
+    lanes[static_cast<std::size_t>(b)] = b * kBlock / kTileWidth * kBlock * kTileWidth + b * kBlock % kTileWidth;
+  return lanes;
+}();
 inline constexpr int kMaterialsMax = 256;
 inline constexpr int kLampsMax = 16;
 
@@ -26,16 +36,18 @@ struct alignas(64) Tile {
   // View: unit direction in the world, origin of the ray.
   Lane dx, dy, dz, ox, oy, oz;
   // What was hit. triangle < 0: nothing.
-  Lane range, gx, gy, gz, bu, bv;
+  Lane range, bu, bv;
   std::int32_t triangle[kTileLanes];
   std::int32_t material[kTileLanes];
+  std::uint32_t even_blocks;  ///< blocks through which the surface goes on without an edge, a bit each
+  Lane gx, gy, gz;
   // Surface: place, normal with facets, geometric normal turned to the eye (gx, gy, gz), reflectance.
   Lane px, py, pz, nx, ny, nz;
   Lane albedo, red, blue, specular, shininess, emission, slope;
   // Light gathered so far: irradiance (lux) and specular luminance (cd/m^2), by colour of source.
   Lane own, own_specular, foreign, foreign_specular, sky;
-  // One lamp's share, before its shadows are known; way to that lamp.
-  Lane share, share_specular, lx, ly, lz;
+  // One lamp's share, before its shadows are known.
+  Lane share, share_specular;
 };
 
 /// Reflectance of the world's materials, an array a field so that lanes can gather.
@@ -46,12 +58,25 @@ struct MaterialTable {
   float red[kMaterialsMax], blue[kMaterialsMax];
 };
 
+/// One triangle of the mesh, in two cache lines.
+struct alignas(64) TriangleRow {
+  float corner[3];       ///< the first, m
+  float side_1[3];       ///< from the first corner to the second
+  float side_2[3];       ///< to the third
+  float normal[3];       ///< side_1 x side_2, not normalised
+  float normals[9];      ///< unit, at each corner
+  float reflectance[9];  ///< albedo, specular, facet_slope at each corner
+  std::int32_t material;
+  float unused;
+};
+inline constexpr int kRowFloats = sizeof(TriangleRow) / sizeof(float);
+static_assert(kRowFloats == 32);
+
 /// What the surface loop needs besides the tile.
 struct SurfaceTerms {
   const MaterialTable* materials;
-  const float* corner_normals;      ///< nine floats a triangle
-  const float* corner_reflectance;  ///< the same: albedo, specular, facet_slope at each corner
-  float pixel_angle;                ///< rad
+  const TriangleRow* triangles;
+  float pixel_angle;  ///< rad
   bool facets;
 };
 

@@ -15,8 +15,10 @@ using Line = std::vector<Eigen::Vector3d>;
 /// Ports of two tiles nearer than this are one place; blockers too, which are set down by eye.
 constexpr double kSamePlace_m = 1.5;
 constexpr double kStep_m = 0.5;
-/// The start lies this far inside the mouth.
-constexpr float kStartInside_m = 2.0f;
+/// The start lies outside of the mouth and off its middle, as in the paper's simulation (3.1). No further out: there is
+/// no ground outside of the tiles, and from here the camera of every rig sees rock alone.
+constexpr float kStartOutside_m = 1.0f;
+constexpr float kStartAside_m = 1.2f;
 
 Line line_through(const std::vector<Eigen::Vector3d>& corners) {
   Line line{corners.front()};
@@ -196,7 +198,8 @@ void add_tile_network(const std::vector<PlacedTile>& tiles, World& world) {
   world.passages = std::move(network.passages);
   const std::vector<AxisPoint>& axis = world.passages.front().axis;
   const Eigen::Vector3f way = (axis[1].place - axis[0].place).normalized();
-  world.start.place = axis[0].place + kStartInside_m * way;
+  const Eigen::Vector3f left = Eigen::Vector3f::UnitZ().cross(way).normalized();
+  world.start.place = axis[0].place - kStartOutside_m * way + kStartAside_m * left;
   world.start.yaw_rad = std::atan2(way.y(), way.x());
 }
 

@@ -1,4 +1,7 @@
-// Normals and reflectance at the corners of triangles, so that neither jumps from triangle to triangle.
+// What a triangle is to the shading loops. Normals and reflectance stand at its corners, so that neither jumps from
+// triangle to triangle.
+#include <cstring>
+
 #include "parts.hpp"
 
 namespace adit::sim {
@@ -25,11 +28,24 @@ Around around_of(const Mesh& mesh) {
   return around;
 }
 
+void place_corners(TriangleRow& row, const Mesh& mesh, std::size_t triangle, const Vector3f& normal) {
+  const auto& t = mesh.triangles[triangle];
+  const Vector3f first = mesh.vertices[t[0]];
+  const Vector3f sides[2] = {mesh.vertices[t[1]] - first, mesh.vertices[t[2]] - first};
+  for (int c = 0; c < 3; ++c) {
+    row.corner[c] = first[c];
+    row.side_1[c] = sides[0][c];
+    row.side_2[c] = sides[1][c];
+    row.normal[c] = normal[c];
+  }
+  row.material = mesh.materials[triangle];
+}
+
 }  // namespace
 
 /// The mean over the triangles that meet at a corner and are not turned from this one by more than 50 deg, weighted by
 /// area for normals: edges of props and pipes stay sharp, rock gets round, and a wet place has no edge of teeth.
-CornerTable corner_table_of(const World& world) {
+std::vector<TriangleRow> triangle_table_of(const World& world) {
   constexpr float kCosine = 0.64f;
   const Mesh& mesh = world.mesh;
   const Around around = around_of(mesh);
@@ -38,11 +54,11 @@ CornerTable corner_table_of(const World& world) {
     const auto& t = mesh.triangles[i];
     flat[i] = (mesh.vertices[t[1]] - mesh.vertices[t[0]]).cross(mesh.vertices[t[2]] - mesh.vertices[t[0]]);
   }
-  CornerTable table;
-  table.normals.resize(mesh.triangles.size() * 9);
-  table.reflectance.resize(mesh.triangles.size() * 9);
+  std::vector<TriangleRow> table(mesh.triangles.size());
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     const float length = flat[i].norm();
+    TriangleRow& row = table[i];
+    place_corners(row, mesh, i, flat[i]);
     for (int k = 0; k < 3; ++k) {
       const std::uint32_t vertex = mesh.triangles[i][k];
       Vector3f normal = Vector3f::Zero(), reflectance = Vector3f::Zero();
@@ -60,9 +76,8 @@ CornerTable corner_table_of(const World& world) {
       normal.normalize();
       reflectance /= count;
       for (int c = 0; c < 3; ++c) {
-        const std::size_t at = 9 * i + 3 * static_cast<std::size_t>(k) + static_cast<std::size_t>(c);
-        table.normals[at] = normal[c];
-        table.reflectance[at] = reflectance[c];
+        row.normals[3 * k + c] = normal[c];
+        row.reflectance[3 * k + c] = reflectance[c];
       }
     }
   }

@@ -174,7 +174,8 @@ void add_glare(Renderer::Parts& parts, const std::vector<SeenLamp>& lamps, float
 /// Motion blur in the image, along the flow of the rock: a mean over up to 16 shifts by whole pixels, the same for a
 /// run of 8 pixels, so that the loops run over neighbours.
 void blur_motion(Renderer::Parts& parts, const CameraMotion& motion, float time_s) {
-  constexpr int kRun = 8, kTapsMax = 16;
+  constexpr int kRun = kBlurRun_px, kTapsMax = 16;
+  const ShadeKernels& kernels = shade_kernels();
   const CameraModel& m = parts.camera->model();
   parts.each(parts.height, [&](int v) {
     for (int u0 = 0; u0 < parts.width; u0 += kRun) {
@@ -198,17 +199,21 @@ void blur_motion(Renderer::Parts& parts, const CameraMotion& motion, float time_
         rows[k] = static_cast<std::size_t>(std::clamp(down, 0, parts.height - 1)) * parts.stride;
         inside = inside && across[k] >= 0 && across[k] + kRun <= parts.width;
       }
+      const float share = 1.0f / static_cast<float>(taps);
       for (int c = 0; c < 3; ++c) {
         const float* const plane = parts.planes[c].data();
-        float sum[kRun] = {};
-        for (int k = 0; k < taps; ++k) {
-          const float* const row = plane + rows[k];
-          if (inside)
-            for (int i = 0; i < kRun; ++i) sum[i] += row[across[k] + i];
-          else
-            for (int i = 0; i < count; ++i) sum[i] += row[std::clamp(across[k] + i, 0, parts.width - 1)];
+        float* const out = &parts.blurred[c][at];
+        if (inside) {
+          const float* starts[kTapsMax];
+          for (int k = 0; k < taps; ++k) starts[k] = plane + rows[k] + across[k];
+          kernels.mean_of_shifts(starts, taps, share, out);
+          continue;
         }
-        for (int i = 0; i < count; ++i) parts.blurred[c][at + i] = sum[i] / static_cast<float>(taps);
+        for (int i = 0; i < count; ++i) {
+          float sum = 0.0f;
+          for (int k = 0; k < taps; ++k) sum += plane[rows[k] + std::clamp(across[k] + i, 0, parts.width - 1)];
+          out[i] = sum * share;
+        }
       }
     }
   });

@@ -13,6 +13,7 @@ target_sources(adit_sim PRIVATE
   light/dust.cpp
   light/virtual_lights.cpp
   light/foreign_lamps.cpp
+  light/mesh_tree.cpp
   light/primary_rays.cpp
   light/shadows.cpp
   light/light_pass.cpp

@@ -128,7 +128,7 @@ void light_tile(Renderer::Parts& parts, int tile_u, int tile_v, float least_lux)
   const float* const directions[3] = {&parts.directions[0][at], &parts.directions[1][at], &parts.directions[2][at]};
   const ShadeKernels& kernels = shade_kernels();
   kernels.aim(t, rows, directions, parts.stride);
-  const bool any = trace_tile(t, *parts.scene);
+  const bool any = trace_tile(t, parts);
   kernels.surface(t, {&parts.materials, parts.triangles.data(), parts.pixel_angle, parts.render.facets});
   const RenderConfig& r = parts.render;
   if (any) {
@@ -136,6 +136,7 @@ void light_tile(Renderer::Parts& parts, int tile_u, int tile_v, float least_lux)
     kernels.virtual_lights(t, parts.bounces.data(), static_cast<int>(parts.bounces.size()),
                            r.indirect_clamp_m * r.indirect_clamp_m, parts.rig.dust.extinction_1_m);
     add_foreign_lamps(t, parts, least_lux);
+    kernels.soft_light(t, !parts.bounces.empty(), !parts.foreign_bounces.empty(), !parts.foreign_bounces.empty());
     add_zenith(t, parts);
   }
   const LampRig& lamps = parts.rig.lamps;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "adit/sim/render.hpp"
+#include "mesh_tree.hpp"
 #include "tile.hpp"
 
 namespace adit::sim {
@@ -54,6 +55,7 @@ struct Renderer::Parts {
   float pixel_angle = 0.0f;
   std::vector<float> directions[3];
   std::vector<TriangleRow> triangles;
+  MeshTree tree;
   MaterialTable materials{};
   std::vector<OwnLamp> own_lamps;
   std::vector<ForeignLamp> foreign_lamps;
@@ -98,7 +100,7 @@ void add_bounces(std::vector<VirtualLight>& lights, const World& world, const Ra
                  float extinction_1_m, int colour);
 
 /// Closest hits of all lanes of a tile that is aimed. @return whether anything was hit.
-bool trace_tile(Tile& tile, const RayScene& scene);
+bool trace_tile(Tile& tile, const Renderer::Parts& parts);
 
 /// Takes the shares of the lamp that was asked last over where nothing stands between; blocks of pixels whose shares
 /// all lie below least_lux are dropped.

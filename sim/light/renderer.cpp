@@ -127,6 +127,7 @@ Renderer::Renderer(const World& world, const RigConfig& rig, const RenderConfig&
   p.pixel_angle = static_cast<float>(1.0 / p.camera->model().focal_length_x_px);
   fill_directions(p);
   p.triangles = triangle_table_of(world);
+  p.tree = mesh_tree_of(world.mesh);
   p.own_lamps = own_lamps_of(rig);
   p.foreign_lamps = foreign_lamps_of(world, *p.scene);
   if (render.virtual_lights > 0)

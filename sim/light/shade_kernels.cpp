@@ -1,6 +1,11 @@
 // The shading loops. CMake compiles this file once per CPU target, with ADIT_SHADE_TARGET naming it.
+#if defined(__AVX2__)
+#include <immintrin.h>
+#endif
+
 #include "facet_noise.hpp"
 #include "lanes.hpp"
+#include "mesh_tree.hpp"
 #include "sensor_rows.hpp"
 #include "tile.hpp"
 
@@ -13,6 +18,7 @@ namespace adit::sim {
 namespace {
 
 constexpr float kPi = 3.14159265f;
+constexpr int kPacketLanes = kBlock * kBlock;
 // Lanes do not touch each other's memory.
 #define ADIT_LANES _Pragma("GCC ivdep")
 
@@ -173,6 +179,7 @@ void surface(Tile& t, const SurfaceTerms& s) {
   ADIT_LANES
   for (int i = 0; i < kTileLanes; ++i)
     t.own[i] = t.own_specular[i] = t.foreign[i] = t.foreign_specular[i] = t.sky[i] = 0.0f;
+  std::memset(t.soft, 0, sizeof t.soft);
 }
 
 /// Irradiance (inverse square, Lambert's cosine) and specular luminance of one lamp, not yet shadowed.
@@ -212,24 +219,66 @@ void lamp(Tile& t, const LampTerms& terms) {
   }
 }
 
+/// Points of light on quads of pixels: soft light changes little from pixel to pixel, but the normal does, and so it is
+/// a vector that is summed. One pixel of each quad stands for all.
 void virtual_lights(Tile& t, const VirtualLight* lights, int count, float clamp_m2, float extinction_1_m) {
+  constexpr int kAcross = kTileWidth / 2;
+  alignas(64) float px[Tile::kQuads], py[Tile::kQuads], pz[Tile::kQuads];
+  alignas(64) float gx[Tile::kQuads], gy[Tile::kQuads], gz[Tile::kQuads];
+  for (int v = 0; v < kTileHeight / 2; ++v)
+    for (int u = 0; u < kAcross; ++u) {
+      const int q = v * kAcross + u, i = 2 * v * kTileWidth + 2 * u;
+      px[q] = t.px[i], py[q] = t.py[i], pz[q] = t.pz[i];
+      gx[q] = t.gx[i], gy[q] = t.gy[i], gz[q] = t.gz[i];
+    }
   for (int j = 0; j < count; ++j) {
     const VirtualLight l = lights[j];
-    float* into = l.colour == 0 ? t.own : (l.colour == 1 ? t.foreign : t.sky);
+    float *const sx = t.soft[l.colour][0], *const sy = t.soft[l.colour][1], *const sz = t.soft[l.colour][2];
     ADIT_LANES
-    for (int i = 0; i < kTileLanes; ++i) {
-      const float x = l.place[0] - t.px[i], y = l.place[1] - t.py[i], z = l.place[2] - t.pz[i];
+    for (int q = 0; q < Tile::kQuads; ++q) {
+      const float x = l.place[0] - px[q], y = l.place[1] - py[q], z = l.place[2] - pz[q];
       const float d2 = x * x + y * y + z * z;
-      const float here = x * t.nx[i] + y * t.ny[i] + z * t.nz[i];
+      const float here = x * gx[q] + y * gy[q] + z * gz[q];
       const float there = -(x * l.normal[0] + y * l.normal[1] + z * l.normal[2]);
       const float soft = d2 + clamp_m2;
-      // A wide cosine (half-way to the sphere) at the receiver, since a lamp's light lands all around.
-      const float e = l.power * (here > 0.0f ? here : 0.0f) * (there > 0.0f ? there : 0.0f) / (soft * soft);
       // Attenuation to second order of exp(-x) = 1 / (1 + x + x^2 / 2 + ...): soft light need not be exact.
       const float x1 = extinction_1_m * std::sqrt(d2);
-      into[i] += e / (1.0f + x1 + 0.5f * x1 * x1);
+      const float power = ((here > 0.0f) & (there > 0.0f)) ? l.power * there : 0.0f;
+      const float e = power / (soft * soft * (1.0f + x1 + 0.5f * x1 * x1));
+      sx[q] += e * x;
+      sy[q] += e * y;
+      sz[q] += e * z;
     }
   }
+}
+
+void soft_light(Tile& t, bool own, bool foreign, bool sky) {
+  const bool wanted[3] = {own, foreign, sky};
+  float* const into[3] = {t.own, t.foreign, t.sky};
+  for (int colour = 0; colour < 3; ++colour) {
+    if (!wanted[colour]) continue;
+    float* const lux = into[colour];
+    for (int v = 0; v < kTileHeight; ++v) {
+      const float* const sx = t.soft[colour][0] + v / 2 * (kTileWidth / 2);
+      const float* const sy = t.soft[colour][1] + v / 2 * (kTileWidth / 2);
+      const float* const sz = t.soft[colour][2] + v / 2 * (kTileWidth / 2);
+      ADIT_LANES
+      for (int u = 0; u < kTileWidth; ++u) {
+        const int i = v * kTileWidth + u;
+        const float e = sx[u / 2] * t.nx[i] + sy[u / 2] * t.ny[i] + sz[u / 2] * t.nz[i];
+        lux[i] += e > 0.0f ? e : 0.0f;
+      }
+    }
+  }
+}
+
+void mean_of_shifts(const float* const* rows, int taps, float share, float* out) {
+  float sum[kBlurRun_px] = {};
+  for (int k = 0; k < taps; ++k) {
+    const float* const row = rows[k];
+    for (int i = 0; i < kBlurRun_px; ++i) sum[i] += row[i];
+  }
+  for (int i = 0; i < kBlurRun_px; ++i) out[i] = sum[i] * share;
 }
 
 /// Backscatter by bilinear look-up over the image and linear over r / (r + scale).
@@ -292,11 +341,21 @@ void compose(Tile& t, const ComposeTerms& terms, float* const planes[3], float* 
 }
 
 #include "sensor_rows.inl"
+#include "sight.inl"
 
 }  // namespace
 
 extern const ShadeKernels ADIT_JOIN(kShade_, ADIT_SHADE_TARGET);
-const ShadeKernels ADIT_JOIN(kShade_, ADIT_SHADE_TARGET) = {
-    ADIT_TEXT(ADIT_SHADE_TARGET), aim, surface, lamp, virtual_lights, compose, mosaic_row, tone_row};
+const ShadeKernels ADIT_JOIN(kShade_, ADIT_SHADE_TARGET) = {ADIT_TEXT(ADIT_SHADE_TARGET),
+                                                            aim,
+                                                            see,
+                                                            surface,
+                                                            lamp,
+                                                            virtual_lights,
+                                                            soft_light,
+                                                            mean_of_shifts,
+                                                            compose,
+                                                            mosaic_row,
+                                                            tone_row};
 
 }  // namespace adit::sim

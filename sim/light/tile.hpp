@@ -20,6 +20,8 @@ inline constexpr std::array<int, kBlocks> kBlockLanes = [] {
     lanes[static_cast<std::size_t>(b)] = b * kBlock / kTileWidth * kBlock * kTileWidth + b * kBlock % kTileWidth;
   return lanes;
 }();
+inline constexpr int kBlurRun_px = 8;
+inline constexpr float kNoRange_m = 1e9f;  ///< of rays that meet nothing
 inline constexpr int kMaterialsMax = 256;
 inline constexpr int kLampsMax = 16;
 
@@ -46,6 +48,10 @@ struct alignas(64) Tile {
   Lane albedo, red, blue, specular, shininess, emission, slope;
   // Light gathered so far: irradiance (lux) and specular luminance (cd/m^2), by colour of source.
   Lane own, own_specular, foreign, foreign_specular, sky;
+  // Indirect light of quads (2 x 2 pixels), row by row: by colour of source, a vector whose product with a normal that
+  // faces the light is lux.
+  static constexpr int kQuads = kTileLanes / 4;
+  float soft[3][3][kQuads];
   // One lamp's share, before its shadows are known.
   Lane share, share_specular;
 };
@@ -119,9 +125,15 @@ struct ComposeTerms {
 struct ShadeKernels {
   const char* target;
   void (*aim)(Tile&, const RowPose* rows, const float* const directions[3], int stride);
+  bool (*see)(Tile&, const struct TreeNode*, const struct TreeLeaf*, const TriangleRow*);
   void (*surface)(Tile&, const SurfaceTerms&);
   void (*lamp)(Tile&, const LampTerms&);
+  /// Adds to Tile::soft.
   void (*virtual_lights)(Tile&, const VirtualLight*, int count, float clamp_m2, float extinction_1_m);
+  /// Adds Tile::soft to own, foreign and sky, by the normal of each pixel; colours that have none may be left out.
+  void (*soft_light)(Tile&, bool own, bool foreign, bool sky);
+  /// Blur of kBlurRun_px pixels: share times the sum over rows, each the start of a run.
+  void (*mean_of_shifts)(const float* const* rows, int taps, float share, float* out);
   void (*compose)(Tile&, const ComposeTerms&, float* const planes[3], float* range, int stride);
   /// Sensor: one row of the mosaic. See sensor_rows.hpp.
   void (*mosaic_row)(const struct MosaicRow&);

@@ -110,7 +110,7 @@ void visit_fields(Config& c, Visitor&& visit) {
   visit(FieldNote{"opening_strength_min", "", 0, 4,
                   "no_opening when the best place is weaker: stops of rise times the root of its share of the frame. "
                   "Method adit.",
-                  "one stop over a twentieth of the frame: stains, cables and their shadows stay below"},
+                  "one stop over a twentieth of the frame, or two over a hundredth; stains and cables stay below"},
         c.opening_strength_min);
   visit(FieldNote{"dust_veil_min", "", 0, 1,
                   "Share of the light that is veil from which on the air is dusty. Method adit.",
@@ -118,11 +118,11 @@ void visit_fields(Config& c, Visitor&& visit) {
         c.dust_veil_min);
   visit(FieldNote{"strength_even", "", 0.001, 10,
                   "Strength at which an opening is as likely right as wrong. Method adit.",
-                  "docs/method.md, calibration"},
+                  "docs/method.md, confidence: rendered frames"},
         c.strength_even);
   visit(FieldNote{"strength_spread", "", 0.01, 10,
                   "Natural logarithm of strength over which the odds grow by e. Method adit.",
-                  "docs/method.md, calibration"},
+                  "docs/method.md, confidence: rendered frames"},
         c.strength_spread);
 }
 

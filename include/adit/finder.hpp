@@ -150,7 +150,8 @@ inline constexpr int kOpeningCountMax = 8;
 /// The answer for one frame, with its evidence. Plain numbers: copying it allocates nothing.
 struct OpenSpace {
   Status status = Status::kBadFrame;
-  /// In [0, 1]; 0 unless found. Method `paper`: fill * contrast, where fill is fill_of(moments) (is the darkest cluster
+  /// In [0, 1]; 0 unless found. Method `adit`: the share of such answers that is right (docs/method.md).
+  /// Method `paper`: fill * contrast, where fill is fill_of(moments) (is the darkest cluster
   /// one solid patch, so that its mean lies on it?) and contrast is how much darker that cluster is than the rest of
   /// the frame, (rest - cluster) / rest in mean level of the closed dark channel. It describes the
   /// cluster and is not a probability: a solid dark wall also scores well.

@@ -22,6 +22,38 @@ double degrees(double angle_rad) { return angle_rad * 180.0 / std::numbers::pi; 
 /// Was the picture looked at, so that its levels are known?
 bool is_judged(const OpenSpace& o) { return o.status != Status::kBadFrame && o.status != Status::kWrongSize; }
 
+/// Those that are up, joined with a plus: "dust+glare".
+std::string flags_text(const SightFlags& flags) {
+  std::string text;
+  const auto add = [&text](bool up, const char* name) {
+    if (up) text.append(text.empty() ? "" : "+").append(name);
+  };
+  add(flags.dust, "dust");
+  add(flags.glare, "glare");
+  add(flags.blocked_lens, "blocked_lens");
+  add(flags.too_dark, "too_dark");
+  add(flags.too_bright, "too_bright");
+  return text;
+}
+
+std::string fixed_text(double value, int digits) {
+  char text[64];
+  const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, digits).ptr;
+  return {text, end};
+}
+
+/// Azimuth and elevation of each opening in degrees, and its confidence, the best first: "-12.31 2.05 0.93; ...".
+std::string openings_text(const OpenSpace& o) {
+  std::string text;
+  for (int i = 0; i < o.opening_count; ++i) {
+    const Opening& opening = o.openings[static_cast<std::size_t>(i)];
+    text.append(i > 0 ? "; " : "").append(fixed_text(degrees(opening.bearing.azimuth_rad), 2)).append(" ");
+    text.append(fixed_text(degrees(opening.bearing.elevation_rad), 2)).append(" ");
+    text.append(fixed_text(opening.confidence, 2));
+  }
+  return text;
+}
+
 /// The columns, once for header, CSV and JSON: put(name, cell).
 template <class Put>
 void for_each_cell(const TableRow& row, bool timing, Put&& put) {
@@ -53,6 +85,13 @@ void for_each_cell(const TableRow& row, bool timing, Put&& put) {
   put("darkest_level", level(&OpenSpace::darkest_level));
   put("threshold_level", clustered ? level(&OpenSpace::threshold_level) : Cell());
   put("brightest_level", level(&OpenSpace::brightest_level));
+  const std::string flags = any != nullptr ? flags_text(any->flags) : std::string();
+  const std::string openings = found != nullptr ? openings_text(*found) : std::string();
+  put("rule", found != nullptr ? Cell(to_string(found->rule)) : Cell());
+  put("openings", found != nullptr ? Cell(std::string_view(openings)) : Cell());
+  put("flags", flags.empty() ? Cell() : Cell(std::string_view(flags)));
+  const bool has_veil = judged != nullptr && judged->veil_fraction > 0.0;  // 0: not looked for
+  put("veil_fraction", real(has_veil ? judged : nullptr, 4, [](const OpenSpace& o) { return o.veil_fraction; }));
   put("message", row.message.empty() ? Cell() : Cell(std::string_view(row.message)));
   if (timing) put("find_ms", real(any, 4, [](const OpenSpace& o) { return static_cast<double>(o.total_ns) * 1e-6; }));
 }

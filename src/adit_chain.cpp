@@ -231,8 +231,8 @@ void AditChain::draw(StageImages& images) const {
     rank[c.owner] = static_cast<std::uint8_t>(i + 1);
   }
   images.openings = enlarged<std::uint8_t>(grid_, frame_width_px_, frame_height_px_, [&](int u, int v) {
-    return rank[search_.owner[static_cast<std::size_t>(v) * static_cast<std::size_t>(grid_.width()) +
-                              static_cast<std::size_t>(u)]];
+    const auto stride = static_cast<std::size_t>(grid_.width()) + 2;  // the search's grid has a frame of one cell
+    return rank[search_.owner[(static_cast<std::size_t>(v) + 1) * stride + static_cast<std::size_t>(u) + 1]];
   });
 }
 

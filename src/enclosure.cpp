@@ -16,8 +16,10 @@ std::int16_t brighter(int a, int b) noexcept { return static_cast<std::int16_t>(
 
 /// What the rays of a row meet, from what those of the neighbouring row met: straight, and from the two sides.
 /// `light` and `met` are of the neighbouring row; the results are of this one.
-void carry(const std::int16_t* light, const std::int16_t* straight, const std::int16_t* left, const std::int16_t* right,
-           std::int16_t* out_straight, std::int16_t* out_left, std::int16_t* out_right, int width) noexcept {
+void carry(const std::int16_t* __restrict light, const std::int16_t* __restrict straight,
+           const std::int16_t* __restrict left, const std::int16_t* __restrict right,
+           std::int16_t* __restrict out_straight, std::int16_t* __restrict out_left, std::int16_t* __restrict out_right,
+           int width) noexcept {
   for (int x = 0; x < width; ++x) out_straight[x] = static_cast<std::int16_t>(brighter(light[x], straight[x]) - kStep);
   out_left[0] = kNothing;
   for (int x = 1; x < width; ++x) {
@@ -47,7 +49,7 @@ void along_row(const std::int16_t* light, std::int16_t* from_left, std::int16_t*
 }
 
 /// Puts the smaller of each two into `a`, the larger into `b`.
-void order(std::int16_t* a, std::int16_t* b, int width) noexcept {
+void order(std::int16_t* __restrict a, std::int16_t* __restrict b, int width) noexcept {
   for (int x = 0; x < width; ++x) {
     const std::int16_t low = a[x] < b[x] ? a[x] : b[x];
     const std::int16_t high = a[x] < b[x] ? b[x] : a[x];

@@ -24,9 +24,12 @@ struct Candidate {
 
 struct SearchScratch {
   SearchScratch(int width, int height);
-  std::vector<std::uint8_t> owner;  ///< 0 nobody's; i + 1 in candidate i; kSlope on the way down from one
+  /// 0 nobody's; i + 1 in candidate i; kSlope on the way down from one, and in the frame of one cell about the grid
+  /// that saves every step the question whether it leaves the grid.
+  std::vector<std::uint8_t> owner;
+  std::vector<std::int16_t> value;  ///< of the map, on the same grid with its frame
   std::vector<std::int32_t> queue;
-  std::vector<std::int16_t> row_peak;  ///< largest value that is nobody's
+  std::vector<std::int16_t> row_peak;  ///< largest value of a row that is nobody's
 };
 inline constexpr std::uint8_t kSlope = 255;
 

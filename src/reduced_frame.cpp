@@ -65,7 +65,11 @@ void reduce(const ImageView& view, int grey16_depth_bits, const CellGrid& grid, 
     // A cell has at most 8192 / 160 rows: 52 * 255 fits 16 bits. A very long frame has 4 cells and sums fewer rows.
     const int first_v = grid.first_v(cell_v);
     const int end_v = std::min(grid.first_v(cell_v + 1), first_v + 256);
-    for (int v = first_v; v < end_v; ++v) {
+    // Every other row of cells of four rows and more: half the reading, and the mean of eight pixels is still quiet.
+    const int step = end_v - first_v >= 4 ? 2 : 1;
+    int rows_read = 0;
+    for (int v = first_v; v < end_v; v += step) {
+      ++rows_read;
       channel_minimum(view, v, grey16_depth_bits, rows.minimum.data());
       for (int u = 0; u < view.width; ++u) sums[u] = static_cast<std::uint16_t>(sums[u] + minimum[u]);
     }
@@ -74,7 +78,7 @@ void reduce(const ImageView& view, int grey16_depth_bits, const CellGrid& grid, 
       const int first_u = grid.first_u(cell_u), end_u = grid.first_u(cell_u + 1);
       std::uint32_t sum = 0;
       for (int u = first_u; u < end_u; ++u) sum += sums[u];
-      const auto pixels = static_cast<std::uint32_t>((end_u - first_u) * (end_v - first_v));
+      const auto pixels = static_cast<std::uint32_t>((end_u - first_u) * rows_read);
       to[cell_u] = static_cast<std::int16_t>((sum * kLevelParts + pixels / 2) / pixels);
     }
   }

@@ -11,7 +11,7 @@ namespace adit {
 
 /// Cells along the longer side of the frame. An opening of 2 m seen from 20 m in a lens of 75 deg is 12 cells wide.
 inline constexpr int kCellsMax = 160;
-/// Parts of a grey level that a cell tells apart: the mean of sixteen pixels.
+/// Parts of a grey level that a cell tells apart.
 inline constexpr int kLevelParts = 16;
 inline constexpr int kLevelPartsMax = 255 * kLevelParts;
 
@@ -57,7 +57,8 @@ struct ReductionRows {
   std::vector<std::uint16_t> sums;
 };
 
-/// Mean over each cell of the smallest colour channel, in parts of a grey level (0 to kLevelPartsMax).
+/// Mean over each cell of the smallest colour channel, in parts of a grey level (0 to kLevelPartsMax). Cells of four
+/// rows and more are read in every other row.
 void reduce(const ImageView& view, int grey16_depth_bits, const CellGrid& grid, ReductionRows& rows,
             CellPlane& out) noexcept;
 

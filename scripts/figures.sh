@@ -36,9 +36,25 @@ panel() {
     done
     echo "unset multiplot"
   } > "$script"
-  sed -e "s/pngcairo/svg/" -e "s/$(basename "$output").png/$(basename "$output").svg/" "$script" > "$script.svg"
-  gnuplot "$script" 2>/dev/null && gnuplot "$script.svg" 2>/dev/null
-  rm -f "$script" "$script.svg"
+  gnuplot "$script" 2>/dev/null
+  rm -f "$script"
+}
+
+# panel_svg OUTPUT WIDTH HEIGHT (LABEL PNG)...: the same under each other, the pictures whole within.
+panel_svg() {
+  local output=$1 width=$2 height=$3 y=0
+  shift 3
+  {
+    echo "<svg xmlns='http://www.w3.org/2000/svg' width='$width' height='$((height * $# / 2))' font-family='DejaVu Sans, sans-serif'>"
+    echo "<rect width='100%' height='100%' fill='white'/>"
+    while [ $# -gt 1 ]; do
+      echo "<text x='$((width / 2))' y='$((y + 20))' font-size='14' text-anchor='middle'>$1</text>"
+      echo "<image x='0' y='$((y + 30))' width='$width' height='$((height - 30))' href='data:image/png;base64,$(base64 -w 0 "$2")'/>"
+      y=$((y + height))
+      shift 2
+    done
+    echo "</svg>"
+  } > "$output.svg"
 }
 
 copy_figure() { cp "$1.png" "$figures/$2.png" && cp "$1.svg" "$figures/$2.svg"; }
@@ -52,17 +68,19 @@ fi
 # Fig. 4: the S-bend at the paper's speed.
 flight fig4 s_bend --speed 0.2 --time 300 "${small[@]}" && copy_figure "$work/figures/fig4/fig4" fig4
 # Fig. 5: extra lamp and dust in the wide, extra lamp in the narrow, the narrow as it is.
-flight fig5a lit_wide --time 8 --still 7
-flight fig5b wide_8m --dust 0.1 --time 12 --still 10
-flight fig5c lit_narrow --time 4 --still 3
-flight fig5d narrow_2m --time 4 --still 3
+flight fig5a lit_wide --method paper --time 8 --still 7
+flight fig5b wide_8m --method paper --dust 0.1 --time 12 --still 10
+flight fig5c lit_narrow --method paper --time 4 --still 3
+flight fig5d narrow_2m --method paper --time 4 --still 3
 still() { find "$work/figures/$1" -name 'still_*.png' | sort | head -n 1; }
-panel "$work/figures/fig5" 1 1000 400 "a) extra lamp in a wide tunnel" "$(still fig5a)" \
-  "b) dust of 0.1 1/m in a wide tunnel" "$(still fig5b)" "c) extra lamp in a narrow tunnel" "$(still fig5c)" \
-  "d) narrow tunnel" "$(still fig5d)"
+later_still() { find "$work/figures/$1" -name 'still_*.png' | sort | tail -n 1; }
+fig5=("a) extra lamp in a wide tunnel" "$(still fig5a)" "b) dust of 0.1 1/m in a wide tunnel" "$(still fig5b)"
+  "c) extra lamp in a narrow tunnel" "$(still fig5c)" "d) narrow tunnel" "$(still fig5d)")
+panel "$work/figures/fig5" 1 1000 400 "${fig5[@]}"
+panel_svg "$work/figures/fig5" 1000 400 "${fig5[@]}"
 # Fig. 6: 40 lux.
-flight fig6 s_bend --lamp dim_40lux --time 12 --still 4 --still 10
-panel "$work/figures/fig6" 1 1000 400 "40 lux at 1 m, S-bend, 4 s" "$(find "$work/figures/fig6" -name 'still_*' | sort | head -n 1)" \
-  "40 lux at 1 m, S-bend, 10 s" "$(find "$work/figures/fig6" -name 'still_*' | sort | tail -n 1)"
-# Their SVG is the same pixels in three times the bytes: it stays in the work folder.
-cp "$work/figures/fig5.png" "$work/figures/fig6.png" "$figures/"
+flight fig6 s_bend --method paper --lamp dim_40lux --time 12 --still 4 --still 10
+fig6=("40 lux at 1 m, S-bend, 4 s" "$(still fig6)" "40 lux at 1 m, S-bend, 10 s" "$(later_still fig6)")
+panel "$work/figures/fig6" 1 1000 400 "${fig6[@]}"
+panel_svg "$work/figures/fig6" 1000 400 "${fig6[@]}"
+for name in fig5 fig6; do copy_figure "$work/figures/$name" "$name"; done

@@ -32,7 +32,9 @@ struct ToneRow {
   const float* here;
   const float* below;  ///< mosaic rows; all three readable from -1 to width
   bool odd_row;
-  float white_red, white_blue, number_max;
+  float white_red, white_blue;
+  float colour;  ///< share of the colour that is kept
+  float number_max;
   const std::uint8_t* tone;  ///< number_max + 1 entries
   std::int32_t* scratch;     ///< 3 * width
   std::uint8_t* bgr;

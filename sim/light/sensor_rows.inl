@@ -52,9 +52,11 @@ void tone_row(const ToneRow& row) {
     const float g = row_odd * on_even + row_even * on_odd;
     const float r = row_odd * lower_r + row_even * upper_r;
     const float b = row_odd * lower_b + row_even * upper_b;
-    red[u] = static_cast<std::int32_t>(clamped(r * t.white_red + 0.5f, 0.0f, top));
-    green[u] = static_cast<std::int32_t>(clamped(g + 0.5f, 0.0f, top));
-    blue[u] = static_cast<std::int32_t>(clamped(b * t.white_blue + 0.5f, 0.0f, top));
+    const float white_r = r * t.white_red, white_b = b * t.white_blue;
+    const float grey = 0.25f * white_r + 0.5f * g + 0.25f * white_b;
+    red[u] = static_cast<std::int32_t>(clamped(grey + t.colour * (white_r - grey) + 0.5f, 0.0f, top));
+    green[u] = static_cast<std::int32_t>(clamped(grey + t.colour * (g - grey) + 0.5f, 0.0f, top));
+    blue[u] = static_cast<std::int32_t>(clamped(grey + t.colour * (white_b - grey) + 0.5f, 0.0f, top));
   }
   std::uint64_t sum = 0;
   ADIT_LANES

@@ -46,7 +46,8 @@ void expose_row(Renderer::Parts& parts, const Shot& shot, int v) {
   row.sensitivity = &parts.sensor.sensitivity[static_cast<std::size_t>(v) * width];
   row.offset_e = &parts.sensor.offset_e[static_cast<std::size_t>(v) * width];
   row.full_well_e = s.full_well_e;
-  row.read_variance_e2 = s.read_noise_e * s.read_noise_e;
+  const float converter_e = s.converter_noise_e / shot.exposure.gain;
+  row.read_variance_e2 = s.read_noise_e * s.read_noise_e + converter_e * converter_e;
   row.seed = hashed(shot.seed * 0x9e3779b97f4a7c15ULL + static_cast<std::uint64_t>(v) + 1);
   row.gauss = parts.sensor.gauss.data();
   row.row_offset_e = s.row_noise_e * row.gauss[hashed(row.seed + 0x5bd1e995ULL) >> 20];
@@ -61,14 +62,15 @@ void expose_row(Renderer::Parts& parts, const Shot& shot, int v) {
   row.mosaic[width] = row.mosaic[width - 2];
 }
 
-std::uint64_t develop_row(Renderer::Parts& parts, int v, std::uint8_t* bgr) {
+std::uint64_t develop_row(Renderer::Parts& parts, const Shot& shot, int v, std::uint8_t* bgr) {
   static thread_local std::vector<std::int32_t> scratch;
   scratch.resize(static_cast<std::size_t>(3) * parts.width);
   const SensorConfig& s = parts.rig.sensor;
+  const float fade = shot.exposure.gain / s.colour_fade_gain;
   std::uint64_t sum = 0;
   shade_kernels().tone_row({mosaic_row_of(parts, v - 1), mosaic_row_of(parts, v), mosaic_row_of(parts, v + 1),
-                            (v & 1) != 0, s.white_red, s.white_blue, number_max(s), parts.sensor.tone.data(),
-                            scratch.data(), bgr, &sum, parts.width});
+                            (v & 1) != 0, s.white_red, s.white_blue, 1.0f / (1.0f + fade * fade), number_max(s),
+                            parts.sensor.tone.data(), scratch.data(), bgr, &sum, parts.width});
   return sum;
 }
 
@@ -87,7 +89,7 @@ void sensor_pass(Renderer::Parts& parts, const Shot& shot, Frame& frame) {
   std::vector<std::uint64_t> sums(static_cast<std::size_t>(parts.height));
   parts.each(parts.height, [&](int v) {
     sums[static_cast<std::size_t>(v)] =
-        develop_row(parts, v, &frame.bgr[static_cast<std::size_t>(3) * parts.width * v]);
+        develop_row(parts, shot, v, &frame.bgr[static_cast<std::size_t>(3) * parts.width * v]);
   });
   std::uint64_t sum = 0;
   for (const std::uint64_t row : sums) sum += row;

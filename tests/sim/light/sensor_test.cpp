@@ -29,6 +29,8 @@ struct EvenField {
     rig.sensor.row_noise_e = rig.sensor.pattern_noise_e = rig.sensor.response_spread_fraction = 0.0f;
     rig.sensor.full_well_e = 2000.0f;
     rig.sensor.read_noise_e = 12.0f;
+    rig.sensor.converter_noise_e = 0.0f;
+    rig.sensor.colour_fade_gain = 1000.0f;
   }
   /// Luminance that fills this share of the well in the exposure.
   Frame expose(float share, const Exposure& exposure, std::uint64_t seed, bool noise = true) {
@@ -123,6 +125,44 @@ TEST(AutoExposure, KeepsItsLimitsAndStaysWhereItsSpeedIsNothing) {
   AutoExposure still(sensor, {0.004f, 2.0f});
   still.observe(3.0f);
   EXPECT_FLOAT_EQ(still.current().time_s, 0.004f * 2.0f);
+}
+
+/// Spread of the green bytes at green places of the red-green rows.
+double spread_of(const Frame& frame) {
+  double sum = 0.0, sum2 = 0.0;
+  int count = 0;
+  for (int v = 2; v < frame.height - 2; v += 2)
+    for (int u = 3; u < frame.width - 2; u += 2, ++count) {
+      const double level = frame.bgr[static_cast<std::size_t>(3 * (v * frame.width + u)) + 1];
+      sum += level;
+      sum2 += level * level;
+    }
+  return std::sqrt(sum2 / count - sum / count * (sum / count));
+}
+
+TEST(Sensor, GainMakesTheNoiseBehindTheAmplifierSmall) {
+  EvenField field;
+  field.rig.sensor.read_noise_e = 0.0f;
+  field.rig.sensor.converter_noise_e = 60.0f;
+  // The same light, a level of 102 of 255 both times: at gain 8 from an eighth of the electrons.
+  const double at_1 = spread_of(field.expose(0.4f, {0.01f, 1.0f}, 1));
+  const double at_8 = spread_of(field.expose(0.05f, {0.01f, 8.0f}, 1));
+  const double levels_1 = 255.0 / 2000.0, levels_8 = 8.0 * levels_1;
+  EXPECT_NEAR(at_1, levels_1 * std::sqrt(800.0 + 60.0 * 60.0), 0.05 * at_1);
+  EXPECT_NEAR(at_8, levels_8 * std::sqrt(100.0 + 7.5 * 7.5), 0.05 * at_8);
+}
+
+TEST(Sensor, GainTakesColourAway) {
+  EvenField field;
+  field.rig.sensor.white_red = 1.5f;
+  field.rig.sensor.colour_fade_gain = 4.0f;
+  const auto redness = [&](float share, float gain) {
+    const Frame frame = field.expose(share, {0.01f, gain}, 1, false);
+    const std::size_t middle = 3 * (static_cast<std::size_t>(frame.height) / 2 * frame.width + frame.width / 2);
+    return static_cast<double>(frame.bgr[middle + 2]) / frame.bgr[middle + 1];
+  };
+  EXPECT_GT(redness(0.4f, 1.0f), 1.4);
+  EXPECT_LT(redness(0.1f, 4.0f), 1.25);
 }
 
 }  // namespace

@@ -121,9 +121,12 @@ void visit_fields(Config& c, Visitor&& visit) {
         c.white_blue);
   visit(FieldNote{"full_well_e", "e-", 500, 200000, "Electrons of white at gain 1.", "some hundred e- a square micron"},
         c.full_well_e);
-  visit(FieldNote{"read_noise_e", "e-", 0, 100, "Noise of a pixel in the dark.",
-                  "60 dB under the full well: 10 to 15 e-"},
+  visit(FieldNote{"read_noise_e", "e-", 0, 100, "Noise of a pixel in the dark, before the amplifier.",
+                  "rolling-shutter CMOS of 2007: 5 to 10 e-"},
         c.read_noise_e);
+  visit(FieldNote{"converter_noise_e", "e-", 0, 200, "Noise behind the amplifier: divided by the gain.",
+                  "OV7725: dynamic range 60 dB, both noises together at gain 1"},
+        c.converter_noise_e);
   visit(FieldNote{"row_noise_e", "e-", 0, 50, "Offset that a row shares.",
                   "banding of dark frames: a tenth of read noise"},
         c.row_noise_e);
@@ -136,6 +139,10 @@ void visit_fields(Config& c, Visitor&& visit) {
   visit(FieldNote{"exposure_min_s", "s", 0.000001, 0.1, "Shortest exposure.", "some rows' time"}, c.exposure_min_s);
   visit(FieldNote{"exposure_max_s", "s", 0.00001, 1, "Longest exposure.", "below the frame's period of 33 ms"},
         c.exposure_max_s);
+  visit(FieldNote{"colour_fade_gain", "", 1, 1000,
+                  "Gain at which half of the colour is taken away, against coloured noise.",
+                  "OV7725: automatic UV adjustment"},
+        c.colour_fade_gain);
   visit(FieldNote{"gain_max", "", 1, 64, "Largest analogue gain.", "OV7725: 30 dB; used to 8 for noise's sake"},
         c.gain_max);
   visit(FieldNote{"exposure_target_level", "level", 5, 250, "Mean level auto exposure goes for.",

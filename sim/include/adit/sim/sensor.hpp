@@ -33,13 +33,15 @@ struct SensorConfig {
   float white_red = 1.33f;           ///< gain of the white balance
   float white_blue = 1.54f;
   float full_well_e = 10000.0f;
-  float read_noise_e = 12.0f;
+  float read_noise_e = 6.0f;               ///< before the amplifier
+  float converter_noise_e = 10.0f;         ///< after it: gain makes it small beside the light
   float row_noise_e = 1.5f;                ///< offset that a row shares: banding
   float pattern_noise_e = 1.5f;            ///< offset of a pixel that stays from frame to frame
   float response_spread_fraction = 0.01f;  ///< spread of the pixels' sensitivities
   int adc_bits = 10;
   float exposure_min_s = 0.0001f;
   float exposure_max_s = 0.025f;
+  float colour_fade_gain = 8.0f;        ///< gain at which the camera takes half of the colour away
   float gain_max = 16.0f;               ///< at gain 1 the full well is white
   float exposure_target_level = 80.0f;  ///< mean of the frame that auto exposure goes for
   float exposure_speed = 0.35f;         ///< share of the way gone from frame to frame; 0: exposure stays

@@ -82,7 +82,8 @@ void draw_bars(cv::Mat& panel, cv::Rect box, const Histogram& histogram, const C
     const int height = static_cast<int>(std::ceil(share * box.height));
     if (height == 0) continue;
     cv::rectangle(panel, cv::Rect(left, box.y + box.height - height, std::max(1, right - left - 1), height),
-                  colour_of_cluster(cluster_of_level(clusters, level), clusters.count), cv::FILLED);
+                  clusters.count > 0 ? colour_of_cluster(cluster_of_level(clusters, level), clusters.count) : kFaint,
+                  cv::FILLED);
   }
 }
 

@@ -77,6 +77,45 @@ std::string text_of(const char* format, double number) {
   return text;
 }
 
+/// Numbers in [low, high] in the colours from violet to yellow.
+cv::Mat scale_picture(const cv::Mat& numbers, double low, double high) {
+  if (numbers.empty()) return {};
+  cv::Mat grey, bgr;
+  numbers.convertTo(grey, CV_8U, 255.0 / (high - low), -255.0 * low / (high - low));
+  cv::applyColorMap(grey, bgr, cv::COLORMAP_VIRIDIS);
+  return bgr;
+}
+
+/// The best opening red, the others paler, on the frame.
+cv::Mat openings_picture(const PanelSubject& subject, const cv::Mat& openings) {
+  if (openings.empty()) return {};
+  cv::Mat bgr = bgr_of(subject.frame, subject.config.grey16_depth_bits) * 0.5;
+  for (int i = 0; i < subject.open_space.opening_count; ++i) {
+    bgr.setTo(i == 0 ? cv::Scalar(50, 50, 235) : cv::Scalar(120, 120, 160), openings == i + 1);
+  }
+  Scale scale = scale_of(bgr.size());
+  scale.radius_px *= 2;  // the tile is small
+  scale.line_px *= 2;
+  if (subject.open_space.found()) draw_circle(bgr, subject.open_space.centroid_px, cv::Scalar(255, 255, 255), scale);
+  return bgr;
+}
+
+/// The stages of the method `adit`, after two of the published ones for comparison.
+void add_adit_tiles(const PanelSubject& subject, std::vector<StageTile>& tiles) {
+  const StageImages& stages = subject.stages;
+  const OpenSpace& seen = subject.open_space;
+  const cv::Mat light = plane_of(stages.light, stages, CV_32F);
+  double darkest = 0.0, brightest = 0.0;
+  if (!light.empty()) cv::minMaxLoc(light, &darkest, &brightest);
+  tiles.push_back({scale_picture(light, darkest, std::max(brightest, darkest + 1.0)), "light", "stops, coarse grid",
+                   text_of("%.1f", brightest - darkest) + " stops in the frame"});
+  tiles.push_back({scale_picture(plane_of(stages.enclosure, stages, CV_32F), 0.0, 4.0), "enclosure",
+                   "rise of rock about it", "0 to 4 stops"});
+  tiles.push_back({openings_picture(subject, plane_of(stages.openings, stages, CV_8U)), "openings",
+                   "rule: " + std::string(to_string(seen.rule)),
+                   std::to_string(seen.opening_count) + text_of(", veil %.2f", seen.veil_fraction)});
+}
+
 }  // namespace
 
 std::vector<StageTile> stage_tiles(const PanelSubject& subject) {
@@ -99,6 +138,11 @@ std::vector<StageTile> stage_tiles(const PanelSubject& subject) {
   tiles.push_back(
       {has_depth ? depth_map(stages) : cv::Mat(), "closing", "dilate, erode; (4), (5)",
        size_note("ellipse", config.structuring_element_size_px, config.structuring_element_size_vga_px, width)});
+  if (config.method == Method::kAdit) {
+    add_adit_tiles(subject, tiles);
+    tiles.erase(tiles.begin() + 2);  // the transmission: as many tiles as the published chain has
+    return tiles;
+  }
   tiles.push_back({cluster_picture(plane_of(stages.cluster, stages, CV_8U), seen.clusters.count), "clusters",
                    "k-means; (6), (7)", k + " clusters, " + std::string(to_string(config.clustering))});
   tiles.push_back({binary_picture(plane_of(stages.binary, stages, CV_8U), seen), "darkest, centroid",

@@ -21,6 +21,7 @@ struct Geometry {
   adit::PixelFormat format;
   bool bottom_up;
   bool lloyd;
+  bool adit;
   int offset_bytes;
 };
 
@@ -33,6 +34,7 @@ Geometry geometry_of(adit::fuzz::ByteSource& source) {
   const int flags = source.take<std::uint8_t>();
   geometry.bottom_up = (flags & 1) != 0;
   geometry.lloyd = (flags & 2) != 0;
+  geometry.adit = (flags & 4) != 0;
   geometry.offset_bytes = source.take<std::uint8_t>() % 64;
   geometry.stride_bytes = std::ptrdiff_t{geometry.width} * adit::bytes_per_pixel(geometry.format) + extra_bytes;
   if (geometry.stride_bytes < 0) {  // rows that go upwards, as with the flag
@@ -96,6 +98,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
 
   adit::FinderConfig config;
   if (geometry.lloyd) config.clustering = adit::Clustering::kLloyd;
+  if (geometry.adit) config.method = adit::Method::kAdit;
   const std::vector<std::uint8_t> before(block.get(), block.get() + block_bytes);
   adit::OpenSpaceFinder finder(config);
   const adit::OpenSpace first = finder.find(view);

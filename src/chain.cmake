@@ -3,17 +3,23 @@ target_sources(adit_core PRIVATE
   camera.cpp
   cell_filters.cpp
   chain.cpp
+  clearance.cpp
+  column_range.cpp
   distortion.cpp
   enclosure.cpp
   faults.cpp
   finder.cpp
+  frame_watch.cpp
   heading.cpp
   image.cpp
   kmeans_exact.cpp
   kmeans_lloyd.cpp
   names.cpp
+  navigator.cpp
   opening_search.cpp
+  range_memory.cpp
   reduced_frame.cpp
   scattering_depth.cpp
   stage_images.cpp
+  tracker.cpp
   veil.cpp)

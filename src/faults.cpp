@@ -1,5 +1,6 @@
 // Configurations are refused here, field by field, from the same notes that the YAML and the command line are made of.
 #include "adit/fields.hpp"
+#include "adit/navigator_fields.hpp"
 #include "number_text.hpp"
 
 namespace adit {
@@ -46,5 +47,10 @@ std::optional<std::string> first_fault_of(const Config& config) {
 
 std::optional<std::string> fault_of(const FinderConfig& config) { return first_fault_of(config); }
 std::optional<std::string> fault_of(const HeadingConfig& config) { return first_fault_of(config); }
+std::optional<std::string> fault_of(const ColumnRangeConfig& config) { return first_fault_of(config); }
+std::optional<std::string> fault_of(const RangeMemoryConfig& config) { return first_fault_of(config); }
+std::optional<std::string> fault_of(const TrackerConfig& config) { return first_fault_of(config); }
+std::optional<std::string> fault_of(const FrameWatchConfig& config) { return first_fault_of(config); }
+std::optional<std::string> fault_of(const SteeringConfig& config) { return first_fault_of(config); }
 
 }  // namespace adit

@@ -4,6 +4,7 @@
 
 #include "adit/finder.hpp"
 #include "adit/heading.hpp"
+#include "adit/navigator.hpp"
 
 namespace adit {
 namespace {
@@ -18,6 +19,9 @@ constexpr std::array<std::string_view, 2> kClusteringNames{"exact", "lloyd"};
 constexpr std::array<std::string_view, kStageCount> kStageNames{"dark_channel", "scattering_depth", "closing",
                                                                 "clusters", "moments"};
 constexpr std::array<std::string_view, 3> kHeadingStateNames{"steer", "coast", "hold"};
+constexpr std::array<std::string_view, 4> kManoeuvreNames{"wait", "follow", "turn", "give_up"};
+constexpr std::array<std::string_view, 4> kStampFaultNames{"none", "not_later", "backwards", "jump"};
+constexpr std::array<std::string_view, 4> kPreferNames{"straight", "left", "right", "explore"};
 constexpr std::array<std::string_view, 4> kDistortionNames{"none", "plumb_bob", "rational_polynomial", "equidistant"};
 
 template <class Enum, std::size_t N>
@@ -45,6 +49,9 @@ std::string_view to_string(Method method) noexcept { return name_of(kMethodNames
 std::string_view to_string(Clustering clustering) noexcept { return name_of(kClusteringNames, clustering); }
 std::string_view to_string(Stage stage) noexcept { return name_of(kStageNames, stage); }
 std::string_view to_string(HeadingState state) noexcept { return name_of(kHeadingStateNames, state); }
+std::string_view to_string(Manoeuvre manoeuvre) noexcept { return name_of(kManoeuvreNames, manoeuvre); }
+std::string_view to_string(StampFault fault) noexcept { return name_of(kStampFaultNames, fault); }
+std::string_view to_string(Prefer prefer) noexcept { return name_of(kPreferNames, prefer); }
 std::string_view to_string(DistortionModel model) noexcept { return name_of(kDistortionNames, model); }
 
 bool parse(std::string_view name, Status& status) noexcept { return find_name(kStatusNames, name, status); }
@@ -53,6 +60,7 @@ bool parse(std::string_view name, Method& method) noexcept { return find_name(kM
 bool parse(std::string_view name, Clustering& clustering) noexcept {
   return find_name(kClusteringNames, name, clustering);
 }
+bool parse(std::string_view name, Prefer& prefer) noexcept { return find_name(kPreferNames, name, prefer); }
 bool parse(std::string_view name, DistortionModel& model) noexcept { return find_name(kDistortionNames, name, model); }
 
 }  // namespace adit

@@ -94,6 +94,11 @@ io::Settings sections_of(FlySettings& s) {
   settings.add("imu", s.flight.imu);
   settings.add("finder", s.flight.finder);
   settings.add("heading", s.flight.heading);
+  settings.add("column_range", s.flight.column_range);
+  settings.add("range_memory", s.flight.range_memory);
+  settings.add("tracker", s.flight.tracker);
+  settings.add("steering", s.flight.steering);
+  settings.add("frame_watch", s.flight.frame_watch);
   settings.add(lamps_alike(s.rig.lamps));
   settings.add("lamps", s.rig.lamps);
   settings.add("lens", s.rig.lens);

@@ -43,6 +43,11 @@ StartPose drawn_start(const FlightSettings& settings, const StartPose& start, co
   return start;
 }
 
+bool is_published(const FlightSettings& settings) {
+  const Pilot pilot = settings.flight.pilot;
+  return pilot == Pilot::kPublished || (pilot == Pilot::kByMethod && settings.finder.method == Method::kPaper);
+}
+
 const FlightSettings& checked(const FlightSettings& settings) {
   if (const auto fault = fault_of(settings.flight)) throw std::invalid_argument(*fault);
   return settings;
@@ -55,6 +60,19 @@ std::optional<std::string> fault_of(const FlightConfig& config) { return first_f
 std::string_view to_string(Outcome outcome) noexcept {
   constexpr std::string_view kNames[] = {"goal", "collided", "stopped", "stuck", "timeout"};
   return kNames[static_cast<std::size_t>(outcome)];
+}
+
+constexpr std::string_view kPilotNames[] = {"by_method", "published", "navigator"};
+
+std::string_view to_string(Pilot pilot) noexcept { return kPilotNames[static_cast<std::size_t>(pilot)]; }
+
+bool parse(std::string_view name, Pilot& pilot) noexcept {
+  for (const Pilot p : {Pilot::kByMethod, Pilot::kPublished, Pilot::kNavigator}) {
+    if (name != to_string(p)) continue;
+    pilot = p;
+    return true;
+  }
+  return false;
 }
 
 std::string_view to_string(Delivery delivery) noexcept {
@@ -71,8 +89,6 @@ Flight::Flight(const FlightSettings& settings, const World& world, const RayScen
       surveyor_(settings.truth, scene, network_,
                 2.0 * std::atan(0.5 * eye.camera().model().width / eye.camera().model().focal_length_x_px) * 180.0 /
                     std::numbers::pi),
-      finder_(settings.finder, eye.camera()),
-      controller_(settings.heading),
       lidar_(settings.lidar, scene, settings.seed),
       imu_(settings.imu, settings.seed),
       map_(settings.flight.map_cell_m),
@@ -80,6 +96,14 @@ Flight::Flight(const FlightSettings& settings, const World& world, const RayScen
       physics_steps_(static_cast<int>(std::ceil(settings.flight.physics_rate_hz / settings.flight.camera_rate_hz))) {
   physics_step_s_ = 1.0 / (settings_.flight.camera_rate_hz * physics_steps_);
   if (!network_.empty()) start_ = network_.nearest(vehicle_.state().place);
+  if (is_published(settings)) {
+    finder_.emplace(settings.finder, eye.camera());
+    controller_.emplace(settings.heading);
+  } else {
+    navigator_.emplace(NavigatorConfig{settings.finder, settings.heading, settings.column_range, settings.range_memory,
+                                       settings.tracker, settings.steering, settings.frame_watch},
+                       eye.camera());
+  }
 }
 
 Flight::~Flight() = default;
@@ -94,6 +118,7 @@ bool Flight::step() {
   take_frame();
   deliver();
   row_.command = command_;
+  row_.speed_scale = speed_scale_;
   if (fly_to_next_frame()) judge_progress();
   ++frames_;
   return true;
@@ -115,29 +140,47 @@ void Flight::take_frame() {
                   : repeats    ? Delivery::kRepeated
                                : Delivery::kFresh;
   if (row_.delivery == Delivery::kDropped) {
-    on_the_way_.push_back({time_s_, true, {}});
+    on_the_way_.push_back({time_s_, true, {}, {}});
     return;
   }
   if (row_.delivery == Delivery::kFresh)
     frame_ =
         eye_->look(vehicle_.state(), time_s_, settings_.seed * kFrameSeedStep + static_cast<std::uint64_t>(frames_));
-  open_space_ = finder_.find(frame_);
+  Sight sight;
+  if (navigator_)
+    sight = navigator_->look(frame_);
+  else
+    sight.open_space = finder_->find(frame_);
+  open_space_ = sight.open_space;
   row_.status = open_space_.status;
   row_.confidence = open_space_.confidence;
   row_.centroid_px = open_space_.centroid_px;
   row_.point = open_space_.point;
   row_.bearing = open_space_.bearing;
   row_.area_fraction = open_space_.area_fraction;
-  on_the_way_.push_back({time_s_, false, open_space_});
+  on_the_way_.push_back({time_s_, false, sight, {vehicle_.state().yaw_rate_rad_s, speed_m_s()}});
 }
 
 /// The pilot's side: what was taken camera_delay_frames ago arrives, or is missed.
 void Flight::deliver() {
   if (static_cast<int>(on_the_way_.size()) <= settings_.flight.camera_delay_frames) return;
   const Arrival& arrival = on_the_way_.front();
-  command_ =
-      arrival.dropped ? controller_.tick(arrival.stamp_s) : controller_.update(arrival.open_space, arrival.stamp_s);
+  if (navigator_) {
+    const NavigatorCommand command = arrival.dropped
+                                         ? navigator_->tick(arrival.stamp_s)
+                                         : navigator_->steer(arrival.sight, arrival.stamp_s, arrival.motion);
+    command_ = command.heading;
+    speed_scale_ = command.speed_scale;
+  } else {
+    command_ = arrival.dropped ? controller_->tick(arrival.stamp_s)
+                               : controller_->update(arrival.sight.open_space, arrival.stamp_s);
+  }
   on_the_way_.pop_front();
+}
+
+/// Forward, as commanded.
+double Flight::speed_m_s() const noexcept {
+  return command_.state == HeadingState::kHold ? 0.0 : speed_scale_ * settings_.flight.speed_m_s;
 }
 
 bool Flight::fly_to_next_frame() {
@@ -149,8 +192,7 @@ bool Flight::fly_to_next_frame() {
     scan_ = lidar_.sweep(vehicle_.state().place, vehicle_.state().attitude(), time_s_);
     map_.add(*scan_, vehicle_.state().place, vehicle_.state().attitude());
   }
-  const VehicleCommand command{command_.state == HeadingState::kHold ? 0.0 : settings_.flight.speed_m_s,
-                               command_.yaw_rate_rad_s};
+  const VehicleCommand command{speed_m_s(), command_.yaw_rate_rad_s};
   const double start_s = time_s_;
   for (int i = 1; i <= physics_steps_; ++i) {
     const Vector3d before = vehicle_.state().place;

@@ -8,6 +8,8 @@
 
 #include "adit/finder.hpp"
 #include "adit/heading.hpp"
+#include "adit/navigator.hpp"
+#include "adit/navigator_fields.hpp"
 
 namespace adit::io {
 
@@ -15,6 +17,11 @@ namespace adit::io {
 struct Configuration {
   FinderConfig finder;
   HeadingConfig heading;
+  ColumnRangeConfig column_range;  ///< this and the rest: of the navigator
+  RangeMemoryConfig range_memory;
+  TrackerConfig tracker;
+  SteeringConfig steering;
+  FrameWatchConfig frame_watch;
 };
 
 /// Calls visit(section name, section) for each section of a Configuration, which may be const.
@@ -22,6 +29,11 @@ template <class Conf, class Visitor>
 void visit_sections(Conf& configuration, Visitor&& visit) {
   visit("finder", configuration.finder);
   visit("heading", configuration.heading);
+  visit("column_range", configuration.column_range);
+  visit("range_memory", configuration.range_memory);
+  visit("tracker", configuration.tracker);
+  visit("steering", configuration.steering);
+  visit("frame_watch", configuration.frame_watch);
 }
 
 /// Reads a YAML text over `configuration`: fields it does not name keep their value.

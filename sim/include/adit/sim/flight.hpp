@@ -12,6 +12,7 @@
 
 #include "adit/finder.hpp"
 #include "adit/heading.hpp"
+#include "adit/navigator.hpp"
 #include "adit/sim/lidar.hpp"
 #include "adit/sim/network.hpp"
 #include "adit/sim/occupancy.hpp"
@@ -20,8 +21,19 @@
 
 namespace adit::sim {
 
+/// Who turns what the camera shows into commands.
+enum class Pilot : std::uint8_t {
+  kByMethod,   ///< the published controller for the published method, the navigator for every other
+  kPublished,  ///< finder and heading controller in a row, at full speed while they answer: as in the paper
+  kNavigator,  ///< the core's Navigator
+};
+[[nodiscard]] std::string_view to_string(Pilot pilot) noexcept;
+/// The other way round; false and no change when the name is unknown.
+[[nodiscard]] bool parse(std::string_view name, Pilot& pilot) noexcept;
+
 /// How a flight runs; unit, range and source of each field stand in visit_fields() (flight_fields.hpp).
 struct FlightConfig {
+  Pilot pilot = Pilot::kByMethod;
   double speed_m_s = 1.0;
   double time_max_s = 120.0;
   double physics_rate_hz = 200.0;
@@ -48,6 +60,11 @@ struct FlightSettings {
   ImuConfig imu;
   FinderConfig finder;
   HeadingConfig heading;
+  ColumnRangeConfig column_range;  ///< this and the next four: of the navigator
+  RangeMemoryConfig range_memory;
+  TrackerConfig tracker;
+  SteeringConfig steering;
+  FrameWatchConfig frame_watch;
   std::uint64_t seed = 1;
 };
 
@@ -91,6 +108,7 @@ struct FlightRow {
   Bearing bearing;
   double area_fraction = 0.0;
   HeadingCommand command;
+  double speed_scale = 1.0;  ///< of the command: share of speed_m_s
 };
 
 /// One flight, frame by frame: while (flight.step()) use flight.row().
@@ -109,6 +127,8 @@ class Flight {
   [[nodiscard]] const ImageView& frame() const noexcept { return frame_; }
   /// All that perception said of it.
   [[nodiscard]] const OpenSpace& open_space() const noexcept { return open_space_; }
+  /// Null when the published controller flies.
+  [[nodiscard]] const Navigator* navigator() const noexcept { return navigator_ ? &*navigator_ : nullptr; }
 
   /// Empty while it flies.
   [[nodiscard]] std::optional<Outcome> outcome() const noexcept { return outcome_; }
@@ -133,6 +153,7 @@ class Flight {
   void take_frame();
   void deliver();
   void survey();
+  [[nodiscard]] double speed_m_s() const noexcept;
   bool fly_to_next_frame();
   [[nodiscard]] bool is_stuck();
   void judge_progress();
@@ -141,7 +162,8 @@ class Flight {
   struct Arrival {
     double stamp_s = 0.0;
     bool dropped = false;
-    OpenSpace open_space;
+    Sight sight;
+    Motion motion;  ///< when the frame was taken
   };
 
   FlightSettings settings_;
@@ -151,8 +173,9 @@ class Flight {
   Vehicle vehicle_;
   Surveyor surveyor_;
   std::optional<AxisPlace> start_;
-  OpenSpaceFinder finder_;
-  HeadingController controller_;
+  std::optional<OpenSpaceFinder> finder_;  ///< this and the controller, or the navigator
+  std::optional<HeadingController> controller_;
+  std::optional<Navigator> navigator_;
   Lidar lidar_;
   Imu imu_;
   OccupancyGrid map_;
@@ -166,6 +189,7 @@ class Flight {
   bool has_been_inside_ = false;
   std::deque<Arrival> on_the_way_;
   HeadingCommand command_;
+  double speed_scale_ = 1.0;
   double held_since_s_ = 0.0;
   std::deque<std::pair<double, Eigen::Vector3d>> track_;  ///< distance flown and place, of the last stuck_after_m
   bool records_sensors_ = false;

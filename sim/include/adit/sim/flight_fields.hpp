@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "adit/fields.hpp"
+#include "adit/navigator_fields.hpp"
 #include "adit/sim/flight.hpp"
 #include "adit/sim/lidar.hpp"
 #include "adit/sim/truth.hpp"
@@ -125,6 +126,11 @@ template <class Config, class Visitor>
 requires std::is_same_v<std::remove_const_t<Config>, FlightConfig>
 void visit_fields(Config& c, Visitor&& visit) {
   using adit::FieldNote;
+  visit(FieldNote{"pilot", "", 0, 2,
+                  "by_method: the published controller for method paper, the navigator for every other; published, "
+                  "navigator: that one.",
+                  "docs/navigation.md"},
+        c.pilot);
   visit(FieldNote{"speed_m_s", "m/s", 0.05, 10, "Forward speed while it steers or coasts.", "paper, 3.2: 0.2 m/s"},
         c.speed_m_s);
   visit(FieldNote{"time_max_s", "s", 0.1, 36000, "The flight ends after this time.", "paper, Fig. 3: 180 s"},

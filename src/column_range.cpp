@@ -21,6 +21,13 @@ constexpr double kFloorHalfWidth_deg = 6.0;
 constexpr double kFloorRank = 0.3;  // a wall in a cell looks like bright floor: the lower of the cells are floor
 // From a cell to the next further away floor falls to 0.55, a wall rises to 1.1.
 constexpr double kWallFallMin = 0.78;
+constexpr double kWallCosine = 0.8;
+// Share of reach_light that even clear air leaves in the darkest columns: walls at 12 m.
+constexpr double kClearShare = 0.007;
+// Veil over its value in the middle, 1 + this * tan^2 of the angle: towards the edge the line of sight passes the lamp
+// beside the camera nearer (1 / cos), and what it throws back is turned by less than half a circle.
+constexpr double kVeilRise = 1.5;
+constexpr int kVeilSteps = 6;
 constexpr double kVeilRank = 0.08;  // of the bins: those that look into the passage show the veil alone
 constexpr double kCosineMin = 0.2;
 constexpr float kLightMin = 1e-5f;  // below the first grey level: no division by zero
@@ -82,15 +89,20 @@ void ColumnRange::place_samples(const Camera& camera) {
       // Flat floor at the range h / sin(below), lit at this grazing angle: L ~ sin / r^2.
       const double sine = std::sin(kDegree * below_deg);
       cells_.back().floor_share = sine * sine * sine / (config_.camera_height_m * config_.camera_height_m);
+      cells_.back().floor_range_m = config_.camera_height_m / sine;
     }
   std::size_t most = cells_.size();
   for (const Cell& cell : cells_) most = std::max(most, cell.last - cell.first);
   scratch_.resize(most);
+  lights_.resize(cells_.size());
 }
 
 void ColumnRange::place_cell(const Camera& camera, double azimuth_rad, double half_rad, int columns, double low_rad,
                              double high_rad, int rows) {
-  Cell cell{samples_.size(), 0, 0.0};
+  Cell cell;
+  cell.first = samples_.size();
+  const double ahead = std::cos(azimuth_rad) * std::cos(0.5 * (low_rad + high_rad));
+  cell.veil_gain = 1.0 + kVeilRise * (1.0 / (ahead * ahead) - 1.0);
   for (int row = 0; row < rows; ++row)
     for (int column = 0; column < columns; ++column) {
       const Bearing bearing{azimuth_rad + half_rad * ((2 * column + 1.0) / columns - 1.0),
@@ -129,43 +141,71 @@ float ColumnRange::middle_light(const ImageView& frame, const Cell& cell) noexce
   return std::max(ranked(scratch_.begin(), scratch_.begin() + static_cast<std::ptrdiff_t>(count), 0.5), kLightMin);
 }
 
+void ColumnRange::measure_cells(const ImageView& frame) noexcept {
+  for (std::size_t i = 0; i < cells_.size(); ++i) lights_[i] = middle_light(frame, cells_[i]);
+}
+
+/// As thick as the veil is, dust also takes light away.
+double ColumnRange::extinction_1_m(double veil_share) const noexcept {
+  return std::max(veil_share - kClearShare, 0.0) / config_.veil_per_extinction_m;
+}
+
 /// The scale of the ranges, from floor. Where a wall stands so near that a whole sector shows nothing but it, the wall
 /// would pass for bright floor, and everything for further away than it is: there the scale is what puts that wall at
 /// the near end of the floor that should be seen.
-double ColumnRange::reach_light(const ImageView& frame, double veil_share) noexcept {
-  std::array<std::array<double, kFloorAside_deg.size()>, kFloorBelow_deg.size()> light{};
-  std::array<double, kFloorBelow_deg.size() * kFloorAside_deg.size()> reach{};
+double ColumnRange::reach_light(double veil_share, bool mind_walls) const noexcept {
+  constexpr std::size_t kAside = kFloorAside_deg.size(), kBelow = kFloorBelow_deg.size();
+  const double extinction = extinction_1_m(veil_share);
+  const auto light = [this](std::size_t below, std::size_t aside) {
+    return static_cast<double>(lights_[kRangeBins + below * kAside + aside]);
+  };
+  std::array<double, kBelow * kAside> reach{};
   std::size_t count = 0;
-  const auto cell_of = [this](std::size_t below, std::size_t aside) -> const Cell& {
-    return cells_[kRangeBins + below * kFloorAside_deg.size() + aside];
+  const auto ranked_reach = [&] {
+    return count == 0 ? 0.0 : ranked(reach.begin(), reach.begin() + static_cast<std::ptrdiff_t>(count), kFloorRank);
   };
-  for (std::size_t below = 0; below < kFloorBelow_deg.size(); ++below)
-    for (std::size_t aside = 0; aside < kFloorAside_deg.size(); ++aside) {
-      const Cell& cell = cell_of(below, aside);
-      if (cell.last <= cell.first) continue;  // below the frame
-      light[below][aside] = static_cast<double>(middle_light(frame, cell));
-      reach[count++] = light[below][aside] / (cell.floor_share + veil_share);
+  const auto take = [&](double scale) {
+    count = 0;
+    for (std::size_t aside = 0; aside < kAside; ++aside) {
+      const Cell* cell = &cells_[kRangeBins + aside];
+      const double veil = veil_share * scale * cell->veil_gain;
+      const double near = light(0, aside) - veil, middle = light(1, aside) - veil, far = light(2, aside) - veil;
+      const bool is_wall = scale > 0.0 && near > 0.0 && middle > kWallFallMin * near && far > kWallFallMin * middle;
+      for (std::size_t below = 0; below < kBelow; ++below) {
+        cell = &cells_[kRangeBins + below * kAside + aside];
+        if (cell->last <= cell->first) continue;  // below the frame
+        const double range_m = cell->floor_range_m, lost = std::exp(-2.0 * extinction * range_m);
+        // Rock of a wall at the range of this floor is met nearly square.
+        const double share = is_wall ? kWallCosine / (range_m * range_m) : cell->floor_share;
+        reach[count++] = light(is_wall ? 0 : below, aside) / (share * lost + veil_share * cell->veil_gain);
+        if (is_wall) break;
+      }
     }
-  if (count == 0) return 0.0;
-  const auto floor_rank = [&] {
-    return ranked(reach.begin(), reach.begin() + static_cast<std::ptrdiff_t>(count), kFloorRank);
   };
-  const double veil = veil_share * floor_rank();
-  const double sine = std::sin(kDegree * kFloorBelow_deg[0]), cosine = std::cos(kDegree * kFloorBelow_deg[0]);
-  const double near_m = config_.camera_height_m * cosine / sine;
-  const double wall_share = cosine * cosine * cosine / (near_m * near_m);
-  count = 0;
-  for (std::size_t aside = 0; aside < kFloorAside_deg.size(); ++aside) {
-    const double near = light[0][aside] - veil, middle = light[1][aside] - veil, far = light[2][aside] - veil;
-    const bool is_wall = near > 0.0 && middle > kWallFallMin * near && far > kWallFallMin * middle;
-    for (std::size_t below = 0; below < kFloorBelow_deg.size(); ++below) {
-      const Cell& cell = cell_of(below, aside);
-      if (cell.last <= cell.first) continue;
-      reach[count++] =
-          is_wall ? light[0][aside] / (wall_share + veil_share) : light[below][aside] / (cell.floor_share + veil_share);
-    }
-  }
-  return floor_rank();
+  take(0.0);
+  if (!mind_walls) return ranked_reach();
+  take(ranked_reach());
+  return ranked_reach();
+}
+
+/// The veil is what is left where nothing else is: its share depends on the scale, which depends on it.
+double ColumnRange::veil_share_of(const RangeProfile& profile) const noexcept {
+  std::array<float, kRangeBins> ahead{};
+  for (std::size_t bin = 0; bin < kRangeBins; ++bin)
+    ahead[bin] = profile.light[bin] / static_cast<float>(cells_[bin].veil_gain);
+  const auto least = static_cast<double>(ranked(ahead.begin(), ahead.end(), kVeilRank));
+  double share = 0.0;
+  for (int i = 0; i < kVeilSteps; ++i) share = least / std::max(reach_light(share, false), kReachLightMin);
+  return share;
+}
+
+/// Newton's iteration for exp(-2 extinction r) / r^2 = light_share.
+double ColumnRange::range_m(double light_share, double extinction_1_m) const noexcept {
+  const double wanted = -0.5 * std::log(light_share);  // ln r + extinction r
+  double r = std::exp(wanted);
+  for (int i = 0; i < 4 && extinction_1_m > 0.0; ++i)
+    r = std::max(r - (std::log(r) + extinction_1_m * r - wanted) / (1.0 / r + extinction_1_m), 0.1 * r);
+  return std::clamp(r, config_.range_min_m, config_.range_max_m);
 }
 
 RangeProfile ColumnRange::measure(const ImageView& frame, double veil_share) noexcept {
@@ -177,21 +217,23 @@ RangeProfile ColumnRange::measure(const ImageView& frame, double veil_share) noe
   } catch (const std::exception&) {
     return profile;
   }
+  measure_cells(frame);
   profile.azimuth_first_rad = azimuth_first_rad_;
   profile.azimuth_step_rad = azimuth_step_rad_;
-  for (std::size_t bin = 0; bin < kRangeBins; ++bin) profile.light[bin] = middle_light(frame, cells_[bin]);
-  profile.reach_light = reach_light(frame, veil_share);
+  std::copy_n(lights_.begin(), kRangeBins, profile.light.begin());
+  profile.reach_light = reach_light(veil_share, true);
   profile.valid = profile.reach_light > kReachLightMin;
   if (!profile.valid) return profile;
-  const double veil = veil_share * profile.reach_light;
+  profile.veil_share = veil_share_of(profile);
+  const double extinction = extinction_1_m(veil_share);
   // Less light than this and a column is further than range_max_m: whatever it is, noise included.
-  const double least = profile.reach_light / (config_.range_max_m * config_.range_max_m);
+  const double least = 1.0 / (config_.range_max_m * config_.range_max_m);
   for (std::size_t bin = 0; bin < kRangeBins; ++bin) {
-    const double light = std::max(static_cast<double>(profile.light[bin]) - veil, least);
-    profile.range_m[bin] = static_cast<float>(std::max(std::sqrt(profile.reach_light / light), config_.range_min_m));
+    const double share =
+        static_cast<double>(profile.light[bin]) / profile.reach_light - veil_share * cells_[bin].veil_gain;
+    profile.range_m[bin] = static_cast<float>(
+        range_m(std::max(share, least * std::exp(-2.0 * extinction * config_.range_max_m)), extinction));
   }
-  std::array<float, kRangeBins> sorted = profile.light;
-  profile.veil_share = static_cast<double>(ranked(sorted.begin(), sorted.end(), kVeilRank)) / profile.reach_light;
   return profile;
 }
 

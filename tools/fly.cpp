@@ -56,6 +56,8 @@ void add_flight_options(CLI::App& fly, Options& options) {
       ->check(CLI::Range(0.05, 10.0));
   fly.add_option("--time", options.fly.time_s, "At the most (120)")->type_name("S")->check(CLI::Range(0.1, 36000.0));
   fly.add_option("--method", options.fly.method, "Chain of stages: paper, adit")->type_name("NAME");
+  fly.add_option("--prefer", options.fly.prefer, "At junctions, not with paper: straight, left, right, explore")
+      ->type_name("WAY");
   fly.add_option("--config", options.fly.config_file, "Settings by section; see docs/simulation.md")
       ->type_name("FILE.yaml");
   fly.add_option("--set", options.fly.settings, "One setting, over those of --config; repeatable")
@@ -63,7 +65,7 @@ void add_flight_options(CLI::App& fly, Options& options) {
       ->allow_extra_args(false);
 }
 
-/// The page holds 30 lines: --still, --sensors and --jobs stand in the manual alone.
+/// The page holds 30 lines: --still, --sensors, --jobs and --quiet stand in the manual alone.
 void add_work_options(CLI::App& fly, Options& options) {
   fly.add_option("--out", options.work.out, "Folder for flight.csv, summary.json, map.png, figures")->type_name("DIR");
   fly.add_flag("--video", options.work.film, "Also the film, with overlay: flight.mp4");
@@ -81,7 +83,7 @@ void add_work_options(CLI::App& fly, Options& options) {
       ->type_name("N")
       ->check(CLI::Range(1, 256))
       ->group("");
-  fly.add_flag("--quiet", options.work.quiet, "No progress, no summary");
+  fly.add_flag("--quiet", options.work.quiet, "No progress, no summary")->group("");
 }
 
 ExitCode run(Options& options) {

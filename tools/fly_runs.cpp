@@ -126,6 +126,11 @@ sim::Outcome aim_of(const sim::World& world) {
   return sim::Outcome::kTimeout;
 }
 
+/// At a dead end it is as good to turn round and come out.
+bool is_success(sim::Outcome outcome, sim::Outcome aim) {
+  return outcome == aim || (aim == sim::Outcome::kStopped && outcome == sim::Outcome::kReturned);
+}
+
 std::string runs_json(const std::vector<Flown>& runs, const sim::Rate& rate, sim::Outcome aim) {
   nlohmann::ordered_json json;
   const SummaryContext& context = runs.front().context;
@@ -141,7 +146,7 @@ std::string runs_json(const std::vector<Flown>& runs, const sim::Rate& rate, sim
   json["success_rate_low"] = rate.low;
   json["success_rate_high"] = rate.high;
   for (const sim::Outcome outcome : {sim::Outcome::kGoal, sim::Outcome::kCollided, sim::Outcome::kStopped,
-                                     sim::Outcome::kStuck, sim::Outcome::kTimeout})
+                                     sim::Outcome::kStuck, sim::Outcome::kReturned, sim::Outcome::kTimeout})
     json["outcomes"][std::string(to_string(outcome))] =
         std::count_if(runs.begin(), runs.end(), [outcome](const Flown& run) { return run.summary.outcome == outcome; });
   const auto median = [&](const char* name, double (*value)(const sim::FlightSummary&)) {
@@ -178,7 +183,7 @@ void print_table(const std::vector<Flown>& runs, const sim::Rate& rate, sim::Out
                 shown(s.found_fraction, "%.3f").c_str());
   }
   const char* success = aim == sim::Outcome::kGoal      ? "reached the goal"
-                        : aim == sim::Outcome::kStopped ? "stopped before the end of the drift"
+                        : aim == sim::Outcome::kStopped ? "stopped before the end of the drift, or came out again"
                                                         : "were flying when the time was over";
   std::printf("%d of %d %s: %.0f %% (95 %% interval %.0f to %.0f %%)\n", rate.successes, rate.trials, success,
               100.0 * rate.rate, 100.0 * rate.low, 100.0 * rate.high);
@@ -265,8 +270,8 @@ ExitCode fly_many(const FlyWork& work, const FlySettings& settings, const Site& 
       if (result) runs.push_back(std::move(*result));
     if (runs.empty()) return is_interrupted() ? kInterrupted : kUnexpected;
     const sim::Outcome aim = aim_of(site.world);
-    const auto successes =
-        std::count_if(runs.begin(), runs.end(), [aim](const Flown& run) { return run.summary.outcome == aim; });
+    const auto successes = std::count_if(runs.begin(), runs.end(),
+                                         [aim](const Flown& run) { return is_success(run.summary.outcome, aim); });
     const sim::Rate rate = sim::wilson_rate(static_cast<int>(successes), static_cast<int>(runs.size()));
     if (!work.out.empty()) {
       std::string table = kRunsHeader;

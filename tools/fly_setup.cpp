@@ -126,6 +126,7 @@ FlySettings fly_settings_of(const FlyOptions& options, const std::function<void(
     if (add_more) add_more(sections);
     if (!options.config_file.empty()) sections.read_file(options.config_file);
     if (!options.method.empty()) sections.set("finder.method=" + options.method);
+    if (!options.prefer.empty()) sections.set("steering.prefer=" + options.prefer);
     if (options.speed_m_s > 0.0) sections.set("flight.speed_m_s=" + io::number_text(options.speed_m_s));
     if (options.time_s > 0.0) sections.set("flight.time_max_s=" + io::number_text(options.time_s));
     if (options.dust_1_m >= 0.0) {

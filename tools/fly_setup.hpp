@@ -28,6 +28,7 @@ struct FlyOptions {
   std::vector<std::string> settings;
   std::string lamp;
   std::string method;
+  std::string prefer;
   double speed_m_s = 0.0;  ///< 0: the setting's
   double time_s = 0.0;     ///< 0: the setting's
   double dust_1_m = -1.0;  ///< negative: the setting's

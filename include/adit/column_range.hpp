@@ -21,6 +21,7 @@ struct ColumnRangeConfig {
   double camera_height_m = 1.0;
   double range_min_m = 0.4;
   double range_max_m = 12.0;
+  double veil_per_extinction_m = 0.45;
 };
 
 /// Why a configuration is refused, naming the field, the value and the range. Empty when it is good.
@@ -37,7 +38,7 @@ struct RangeProfile {
   std::array<float, kRangeBins> light{};    ///< linear, without the lamp's and the lens's fall-off; white is 1
   std::array<float, kRangeBins> range_m{};  ///< pseudo-range, range_min_m to range_max_m
   double reach_light = 0.0;  ///< light of the same rock at 1 m, square to the lamp: the scale of the ranges
-  double veil_share = 0.0;   ///< what this frame alone would say of the veil, as a share of reach_light
+  double veil_share = 0.0;   ///< what this frame alone says of the veil ahead, as a share of reach_light
 
   [[nodiscard]] double azimuth_rad(int bin) const noexcept { return azimuth_first_rad + azimuth_step_rad * bin; }
 };
@@ -58,7 +59,8 @@ class ColumnRange {
   /// Prepares for frames of this size; measure() does so by itself at the first frame of a new size.
   /// @throws std::bad_alloc
   void reserve(int width, int height);
-  /// @param veil_share  light that dust throws back, as a share of reach_light: taken off first. 0 in clear air.
+  /// @param veil_share  light that dust throws back ahead, as a share of reach_light: taken off first, and what it says
+  ///                    of the light lost on the way is put back. 0 in clear air.
   [[nodiscard]] RangeProfile measure(const ImageView& frame, double veil_share = 0.0) noexcept;
 
  private:
@@ -68,14 +70,20 @@ class ColumnRange {
   };
   struct Cell {
     std::size_t first = 0, last = 0;  ///< of samples_
-    double floor_share = 0.0;         ///< light of flat floor there, as a share of reach_light
+    double floor_share = 0.0;         ///< light of flat floor there, as a share of reach_light; in clear air
+    double floor_range_m = 0.0;       ///< to that floor
+    double veil_gain = 1.0;           ///< veil there over the veil in the middle of the frame
   };
   void place_samples(const Camera& camera);
   void place_cell(const Camera& camera, double azimuth_rad, double half_rad, int columns, double low_rad,
                   double high_rad, int rows);
   [[nodiscard]] float light_at(const ImageView& frame, const Sample& sample) const noexcept;
   [[nodiscard]] float middle_light(const ImageView& frame, const Cell& cell) noexcept;
-  [[nodiscard]] double reach_light(const ImageView& frame, double veil_share) noexcept;
+  void measure_cells(const ImageView& frame) noexcept;
+  [[nodiscard]] double extinction_1_m(double veil_share) const noexcept;
+  [[nodiscard]] double reach_light(double veil_share, bool mind_walls) const noexcept;
+  [[nodiscard]] double veil_share_of(const RangeProfile& profile) const noexcept;
+  [[nodiscard]] double range_m(double light_share, double extinction_1_m) const noexcept;
 
   ColumnRangeConfig config_;
   double assumed_hfov_deg_;
@@ -85,7 +93,8 @@ class ColumnRange {
   double azimuth_first_rad_ = 0.0, azimuth_step_rad_ = 0.0;
   std::array<float, 256> linear_{};
   std::vector<Sample> samples_;
-  std::vector<Cell> cells_;  ///< kRangeBins of the band about the horizon, then those of the floor
+  std::vector<Cell> cells_;    ///< kRangeBins of the band about the horizon, then those of the floor
+  std::vector<float> lights_;  ///< of cells_, in the last frame
   std::vector<float> scratch_;
 };
 

@@ -29,6 +29,10 @@ void visit_fields(Config& c, Visitor&& visit) {
   visit(FieldNote{"range_max_m", "m", 1, 100, "Longest range: darker rock is not told from no rock.",
                   "1/144 of the light at 1 m: a few grey levels"},
         c.range_max_m);
+  visit(FieldNote{"veil_per_extinction_m", "m", 0.01, 100,
+                  "Light that dust throws back, as a share of what square rock at 1 m does, per extinction in 1/m.",
+                  "simulated: lamps 0.18 m beside the camera, Henyey-Greenstein g 0.7; nearer lamps: more"},
+        c.veil_per_extinction_m);
 }
 
 /// See above.

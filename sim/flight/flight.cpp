@@ -1,5 +1,6 @@
 #include "adit/sim/flight.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -58,7 +59,7 @@ const FlightSettings& checked(const FlightSettings& settings) {
 std::optional<std::string> fault_of(const FlightConfig& config) { return first_fault(config); }
 
 std::string_view to_string(Outcome outcome) noexcept {
-  constexpr std::string_view kNames[] = {"goal", "collided", "stopped", "stuck", "timeout"};
+  constexpr std::string_view kNames[] = {"goal", "collided", "stopped", "stuck", "returned", "timeout"};
   return kNames[static_cast<std::size_t>(outcome)];
 }
 
@@ -218,8 +219,11 @@ bool Flight::is_stuck() {
   const Vector3d& place = vehicle_.state().place;
   track_.emplace_back(distance_m_, place);
   while (track_.size() > 1 && track_[1].first <= distance_m_ - settings_.flight.stuck_after_m) track_.pop_front();
+  // All of the way, not its ends alone: who comes back out of a dead end is not stuck.
   return track_.front().first <= distance_m_ - settings_.flight.stuck_after_m &&
-         (track_.front().second - place).norm() < settings_.flight.stuck_radius_m;
+         std::all_of(track_.begin(), track_.end(), [&](const auto& passed) {
+           return (passed.second - place).norm() < 2.0 * settings_.flight.stuck_radius_m;
+         });
 }
 
 void Flight::judge_progress() {
@@ -232,7 +236,7 @@ void Flight::judge_progress() {
     const bool at_mouth = network_.is_mouth(here);
     has_been_inside_ = has_been_inside_ || !at_mouth;
     if (at_mouth && has_been_inside_ && here.aside_m > kOutside_m + 0.5 * here.width_m)
-      return end(Outcome::kStuck, "left through the mouth at " + place_text(here.place));
+      return end(Outcome::kReturned, "left through the mouth at " + place_text(here.place));
   }
   if (time_s_ - held_since_s_ >= settings_.flight.stop_after_s)
     return end(Outcome::kStopped, "held at " + place_text(place) + ", no open space found");

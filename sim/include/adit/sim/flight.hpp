@@ -84,7 +84,8 @@ enum class Outcome : std::uint8_t {
   kGoal,
   kCollided,  ///< the body touched rock
   kStopped,   ///< it was told to hold for stop_after_s
-  kStuck,     ///< it flew on and got nowhere, or left through the mouth by which it came
+  kStuck,     ///< it flew on and got nowhere
+  kReturned,  ///< it left through the mouth by which it came
   kTimeout,   ///< time_max_s is over
 };
 [[nodiscard]] std::string_view to_string(Outcome outcome) noexcept;

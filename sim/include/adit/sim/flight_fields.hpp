@@ -151,7 +151,7 @@ void visit_fields(Config& c, Visitor&& visit) {
   visit(FieldNote{"stop_after_s", "s", 0.1, 600, "Told to hold for so long, the flight ends as stopped.",
                   "nothing changes any more for a hovering camera"},
         c.stop_after_s);
-  visit(FieldNote{"stuck_radius_m", "m", 0.1, 50, "Within this of where it was stuck_after_m ago, it is stuck.",
+  visit(FieldNote{"stuck_radius_m", "m", 0.1, 50, "Flown stuck_after_m within a circle of this, it is stuck.",
                   "circles of full yaw rate at 1 m/s"},
         c.stuck_radius_m);
   visit(FieldNote{"stuck_after_m", "m", 1, 1000, "See stuck_radius_m.", "twice around such a circle"}, c.stuck_after_m);

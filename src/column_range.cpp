@@ -27,7 +27,8 @@ constexpr double kClearShare = 0.007;
 // Veil over its value in the middle, 1 + this * tan^2 of the angle: towards the edge the line of sight passes the lamp
 // beside the camera nearer (1 / cos), and what it throws back is turned by less than half a circle.
 constexpr double kVeilRise = 1.5;
-constexpr int kVeilSteps = 6;
+constexpr double kVeilMax = 0.4;    // thicker than any dust in which rock is seen at all
+constexpr int kVeilSteps = 10;      // halvings: to 0.0004
 constexpr double kVeilRank = 0.08;  // of the bins: those that look into the passage show the veil alone
 constexpr double kCosineMin = 0.2;
 constexpr float kLightMin = 1e-5f;  // below the first grey level: no division by zero
@@ -170,7 +171,8 @@ double ColumnRange::reach_light(double veil_share, bool mind_walls) const noexce
       const Cell* cell = &cells_[kRangeBins + aside];
       const double veil = veil_share * scale * cell->veil_gain;
       const double near = light(0, aside) - veil, middle = light(1, aside) - veil, far = light(2, aside) - veil;
-      const bool is_wall = scale > 0.0 && near > 0.0 && middle > kWallFallMin * near && far > kWallFallMin * middle;
+      // Only where there is more rock than veil to be seen, or the veil's own fall would pass for a wall's.
+      const bool is_wall = scale > 0.0 && near > veil && middle > kWallFallMin * near && far > kWallFallMin * middle;
       for (std::size_t below = 0; below < kBelow; ++below) {
         cell = &cells_[kRangeBins + below * kAside + aside];
         if (cell->last <= cell->first) continue;  // below the frame
@@ -194,9 +196,12 @@ double ColumnRange::veil_share_of(const RangeProfile& profile) const noexcept {
   for (std::size_t bin = 0; bin < kRangeBins; ++bin)
     ahead[bin] = profile.light[bin] / static_cast<float>(cells_[bin].veil_gain);
   const auto least = static_cast<double>(ranked(ahead.begin(), ahead.end(), kVeilRank));
-  double share = 0.0;
-  for (int i = 0; i < kVeilSteps; ++i) share = least / std::max(reach_light(share, false), kReachLightMin);
-  return share;
+  double low = 0.0, high = kVeilMax;
+  for (int i = 0; i < kVeilSteps; ++i) {
+    const double share = 0.5 * (low + high);
+    (share * reach_light(share, false) < least ? low : high) = share;
+  }
+  return 0.5 * (low + high);
 }
 
 /// Newton's iteration for exp(-2 extinction r) / r^2 = light_share.

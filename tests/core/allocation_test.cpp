@@ -7,7 +7,9 @@
 
 #include "adit/finder.hpp"
 #include "adit/heading.hpp"
+#include "adit/navigator.hpp"
 #include "frames.hpp"
+#include "lit_plan.hpp"
 
 namespace {
 std::atomic<long> allocations{0};
@@ -44,6 +46,25 @@ long allocations_during(auto&& work) {
 
 TEST(Allocation, TheCounterCounts) {
   EXPECT_GT(allocations_during([] { std::vector<int>(1000).at(7) = 1; }), 0);
+}
+
+TEST(Allocation, NoneInTheNavigatorAfterTheFirstFrame) {
+  test::LitPlan plan;
+  plan.add_passage({{-10, 0}, {4, 0}}, 4.0, true, false);
+  const test::Frame ahead = plan.seen_from({-6, 0.5, 0}, 1), wall = plan.seen_from({2, 0, 0}, 2);
+  for (const Method method : {Method::kPaper, Method::kAdit}) {
+    NavigatorConfig config;
+    config.finder.method = method;
+    Navigator navigator(config);
+    (void)navigator.update(ahead.view(), 0.0);
+    EXPECT_EQ(allocations_during([&] {
+                for (int i = 1; i < 60; ++i)
+                  (void)navigator.update((i < 20 ? ahead : wall).view(), 0.05 * i, {0.1, 1.0});
+                (void)navigator.tick(3.2);
+                navigator.reset();
+              }),
+              0);
+  }
 }
 
 TEST(Allocation, NoneAfterTheFirstFrame) {

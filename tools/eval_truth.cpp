@@ -120,13 +120,13 @@ void complete_truth(EvalFrame& frame, const Camera& camera, const eval::ScoreCon
   truth.ranges = read_ranges(frame.ranges, camera.model());
   truth.far_m = eval::far_range_m(truth.ranges);
   // A branch is in sight when it lies in the frame and there is no near rock before it.
-  std::erase_if(truth.branches, [&](const Bearing& branch) {
+  const auto hidden = [&](const Bearing& branch) {
     Pixel place;
     return !is_in_frame(camera, branch, place) || !(truth.ranges.at(place) >= config.opening_range_min_m);
-  });
-  Pixel ignored;
-  if (truth.passage && !is_in_frame(camera, *truth.passage, ignored)) truth.passage.reset();
-  truth.scene = eval::scene_of(frame.deepest_m, truth.branches, config);
+  };
+  std::erase_if(truth.branches, hidden);
+  if (truth.passage && hidden(*truth.passage)) truth.passage.reset();
+  truth.scene = eval::scene_of(frame.deepest_m, truth.passage || !truth.branches.empty(), config);
 }
 
 }  // namespace adit::tools

@@ -16,9 +16,10 @@ std::array<double, 3> direction_of(Bearing b) noexcept {
   return {c * std::sin(b.azimuth_rad), std::sin(b.elevation_rad), c * std::cos(b.azimuth_rad)};
 }
 
-double nearest_branch_rad(const std::vector<Bearing>& branches, Bearing bearing) noexcept {
-  double best = kUnknown;
-  for (const Bearing& branch : branches) best = std::fmin(best, angle_between(branch, bearing));
+/// To the nearest way on: the passage that is followed, and the branches.
+double nearest_way_rad(const FrameTruth& truth, Bearing bearing) noexcept {
+  double best = truth.passage ? angle_between(*truth.passage, bearing) : kUnknown;
+  for (const Bearing& branch : truth.branches) best = std::fmin(best, angle_between(branch, bearing));
   return best;
 }
 
@@ -40,7 +41,7 @@ bool is_hit(const FrameTruth& truth, Pixel place, const Camera& camera, double o
                        [place](const Outline& outline) { return contains(outline, place); });
   // Comparisons with NaN are false: what is not known is no hit.
   return open_ratio >= config.open_ratio_min ||
-         nearest_branch_rad(truth.branches, camera.bearing_of(place)) <= config.branch_hit_deg * kDegree;
+         nearest_way_rad(truth, camera.bearing_of(place)) <= config.branch_hit_deg * kDegree;
 }
 
 Verdict verdict_of(Scene scene, bool answered, bool hit) noexcept {
@@ -119,9 +120,7 @@ double angle_between(Bearing a, Bearing b) noexcept {
   return std::atan2(std::sqrt(x * x + y * y + z * z), p[0] * q[0] + p[1] * q[1] + p[2] * q[2]);
 }
 
-Scene scene_of(double deepest_range_m, const std::vector<Bearing>& branches_in_sight,
-               const ScoreConfig& config) noexcept {
-  const bool goes_on = !branches_in_sight.empty();
+Scene scene_of(double deepest_range_m, bool goes_on, const ScoreConfig& config) noexcept {
   if (deepest_range_m >= config.open_range_m) return Scene::kOpen;
   if (deepest_range_m >= config.opening_range_min_m) return goes_on ? Scene::kOpen : Scene::kUndecided;
   return goes_on ? Scene::kUndecided : Scene::kNone;
@@ -137,7 +136,7 @@ FrameScore score_of(const FrameTruth& truth, const Answer& answer, const Camera&
     score.confidence = answer.confidence;
     if (const double range_m = truth.ranges.at(answer.place); truth.far_m > 0.0)
       score.open_ratio = std::isnan(range_m) ? kUnknown : std::min(range_m / truth.far_m, 1.0);
-    score.error_rad = truth.outlines.empty() ? nearest_branch_rad(truth.branches, bearing)
+    score.error_rad = truth.outlines.empty() ? nearest_way_rad(truth, bearing)
                                              : nearest_outline_rad(truth.outlines, answer.place, camera);
     if (truth.deepest) {
       score.deepest_error_rad = angle_between(*truth.deepest, bearing);

@@ -108,12 +108,15 @@ void Surveyor::follow_network(const Vector3d& body, const Vector3d& heading, con
     if (!(std::abs(bearing.azimuth_rad) >= std::abs(truth.passage.azimuth_rad))) truth.passage = bearing;
     truth.branches.push_back(bearing);
   }
+  const std::size_t near = truth.branches.size();
   for (const Ahead& ahead : network_->branches(here, heading, config_.branch_range_m, kIntoBranch_m)) {
     const Vector3d eye = ahead.place + up;
     if (ahead.at_end || horizontal_distance(ahead.place, body) <= config_.look_ahead_m) continue;
     if (scene_->occluded(camera_pose.translation().cast<float>(), eye.cast<float>())) continue;
     truth.branches.push_back(bearing_to(camera_pose, eye));
   }
+  // A single way on is the stem of the branches that lie beyond it, not one more.
+  if (near == 1 && truth.branches.size() > near) truth.branches.erase(truth.branches.begin());
 }
 
 /// Without a layout: on a circle of look_ahead_m about the body, the middle of that gap in the rock whose middle is

@@ -93,7 +93,7 @@ TEST(Score, PassageInSightIsAHitWhateverLiesBehindIt) {
   FrameTruth truth = rendered();
   truth.branches = {{-0.2, 0.0}};  // over rock of 2 m
   truth.deepest = Bearing{std::atan(0.4), 0.0};
-  truth.passage = Bearing{-0.2, 0.1};
+  truth.passage = Bearing{-0.2, 0.2};
   const double u_px = 50.0 - 100.0 * std::tan(0.2 - 4.9 * kDegree);
   const FrameScore hit = score_of(truth, at(u_px, 40), kCamera, kConfig);
   EXPECT_EQ(hit.verdict, Verdict::kHit);
@@ -113,12 +113,22 @@ TEST(Score, ErrorIsToTheNearestOfBranchesAndDeepest) {
 }
 
 TEST(Score, SceneOfARenderedFrame) {
-  const std::vector<Bearing> none, one{{0.0, 0.0}};
+  constexpr bool none = false, one = true;
   EXPECT_EQ(scene_of(3.9, none, kConfig), Scene::kNone);
   EXPECT_EQ(scene_of(3.9, one, kConfig), Scene::kUndecided);
   EXPECT_EQ(scene_of(4.0, one, kConfig), Scene::kOpen);
   EXPECT_EQ(scene_of(7.9, none, kConfig), Scene::kUndecided);
   EXPECT_EQ(scene_of(8.0, none, kConfig), Scene::kOpen);
+}
+
+TEST(Score, StemOfAJunctionIsAWayOnToo) {
+  FrameTruth truth = rendered();
+  truth.branches = {{-0.4, 0.0}, {-0.3, 0.0}};
+  truth.passage = Bearing{0.0, 0.0};
+  const FrameScore score = score_of(truth, at(50, 40), kCamera, kConfig);
+  EXPECT_EQ(score.verdict, Verdict::kHit);
+  EXPECT_EQ(score.error_rad, 0.0);
+  EXPECT_EQ(score.branches, 2) << "but no branch";
 }
 
 TEST(Score, BranchesArePairedOnceEach) {

@@ -39,7 +39,7 @@ struct FrameTruth {
   Scene scene = Scene::kUndecided;
   std::vector<Outline> outlines;
   std::vector<Bearing> branches;   ///< passages that go on and are in sight, in the frame
-  std::optional<Bearing> passage;  ///< that one which is followed
+  std::optional<Bearing> passage;  ///< the way that is followed, in sight too; one of the branches or their stem
   std::optional<Bearing> deepest;  ///< direction of the longest range
   RangeImage ranges;
   double far_m = kUnknown;  ///< far_range_m(ranges)
@@ -92,7 +92,7 @@ struct FrameScore {
   double confidence = kUnknown;         ///< when answered
   double azimuth_rad = kUnknown;        ///< of the answer
   double open_ratio = kUnknown;         ///< 0 to 1
-  double error_rad = kUnknown;          ///< to the nearest opening
+  double error_rad = kUnknown;          ///< to the nearest opening: outline, passage, branch, deepest direction
   double deepest_error_rad = kUnknown;  ///< to the deepest direction
   double passage_error_rad = kUnknown;  ///< to the passage, azimuth alone
   int branches = 0;                     ///< openings in sight, where there are two or more; else 0
@@ -104,9 +104,8 @@ struct FrameScore {
 /// The angle between two directions, rad, 0 to pi.
 [[nodiscard]] double angle_between(Bearing a, Bearing b) noexcept;
 
-/// What a rendered frame shows, from its longest range and the branches in sight.
-[[nodiscard]] Scene scene_of(double deepest_range_m, const std::vector<Bearing>& branches_in_sight,
-                             const ScoreConfig& config) noexcept;
+/// What a rendered frame shows, from its longest range and whether a passage or branch is in sight.
+[[nodiscard]] Scene scene_of(double deepest_range_m, bool goes_on, const ScoreConfig& config) noexcept;
 
 [[nodiscard]] FrameScore score_of(const FrameTruth& truth, const Answer& answer, const Camera& camera,
                                   const ScoreConfig& config);

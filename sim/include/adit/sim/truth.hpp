@@ -35,7 +35,8 @@ struct Truth {
                                         ///< closest to the camera's axis; NaN where none goes on
   Bearing deepest{kUnknown, kUnknown};  ///< of the longest smoothed range in the camera's frame
   double deepest_range_m = kUnknown;    ///< that range, at most sight_max_m
-  std::vector<Bearing> branches;        ///< all that go on and can be seen, in the frame or not
+  std::vector<Bearing> branches;        ///< all that go on and can be seen, in the frame or not; the way
+                                        ///< that leads to a junction in sight is none of them
   bool opening_in_sight = false;        ///< deepest_range_m >= opening_range_min_m
   double clearance_m = kUnknown;        ///< from the body's centre to the nearest rock, all directions
   double side_clearance_m = kUnknown;   ///< the same over horizontal rays alone

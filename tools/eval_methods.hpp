@@ -50,7 +50,7 @@ struct Contender {
 
 [[nodiscard]] Contender finder_contender(const std::string& name, const FinderConfig& config);
 /// A table of somebody else's answers, with the columns of `adit run --csv`: source, status, confidence, u_px, v_px
-/// (or azimuth_deg, elevation_deg). @throws io::InputError
+/// (or azimuth_deg, elevation_deg), openings. @throws io::InputError
 [[nodiscard]] Contender table_contender(const std::string& name, const std::string& path);
 /// Image centre, a random place, the darkest place, and the paper's chain as published and with each other K.
 [[nodiscard]] std::vector<Contender> baselines(const FinderConfig& config, std::uint64_t seed);

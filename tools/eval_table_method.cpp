@@ -1,8 +1,10 @@
 // A method that is given by its answers.
 #include <cmath>
 #include <filesystem>
+#include <locale>
 #include <map>
 #include <numbers>
+#include <sstream>
 
 #include "adit/io/errors.hpp"
 #include "eval_csv.hpp"
@@ -37,6 +39,7 @@ class AnswerTable {
     v_px_ = table_.column("v_px");
     azimuth_deg_ = table_.column("azimuth_deg");
     elevation_deg_ = table_.column("elevation_deg");
+    openings_ = table_.column("openings");
     if (!(u_px_ && v_px_) && !azimuth_deg_)
       throw io::InputError(path +
                            ":1: columns u_px and v_px, or azimuth_deg, are needed, as 'adit run --csv' has them");
@@ -58,6 +61,7 @@ class AnswerTable {
     if (!place) return {{}, "no_place"};
     given.answer.found = true;
     given.answer.place = *place;
+    given.answer.openings = openings_of(*row, shown.camera);
     return given;
   }
 
@@ -75,6 +79,23 @@ class AnswerTable {
     return std::nullopt;
   }
 
+  /// "-12.31 2.05 0.93; 20.00 1.00 0.50": azimuth and elevation in degrees, and what follows is not looked at.
+  [[nodiscard]] std::vector<Pixel> openings_of(std::size_t row, const Camera& camera) const {
+    std::vector<Pixel> places;
+    if (!openings_) return places;
+    std::istringstream cell(table_.text(row, *openings_));
+    for (std::string one; std::getline(cell, one, ';');) {
+      double azimuth_deg = 0.0, elevation_deg = 0.0;
+      std::istringstream angles(one);
+      angles.imbue(std::locale::classic());
+      if (!(angles >> azimuth_deg >> elevation_deg))
+        throw io::InputError(table_.place(row) + ": openings: '" + one + "' is no azimuth and elevation in degrees");
+      if (const auto place = camera.pixel_of(Bearing{azimuth_deg * kDegree, elevation_deg * kDegree}))
+        places.push_back(*place);
+    }
+    return places;
+  }
+
   [[nodiscard]] std::optional<Pixel> place_of(std::size_t row, const Camera& camera) const {
     const Pixel pixel{table_.number(row, u_px_), table_.number(row, v_px_)};
     if (std::isfinite(pixel.u_px) && std::isfinite(pixel.v_px)) return pixel;
@@ -88,7 +109,7 @@ class AnswerTable {
   CsvTable table_;
   std::string path_;
   std::size_t source_ = 0;
-  std::optional<std::size_t> status_, confidence_, u_px_, v_px_, azimuth_deg_, elevation_deg_;
+  std::optional<std::size_t> status_, confidence_, u_px_, v_px_, azimuth_deg_, elevation_deg_, openings_;
   std::map<std::string, std::vector<std::size_t>> rows_of_;
 };
 

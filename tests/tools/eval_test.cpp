@@ -93,8 +93,9 @@ TEST(Eval, TableOfOthersIsAMethod) {
   // Ours, written as a table and read again, scores as ours; one that knows the marks is right everywhere.
   ASSERT_EQ(run_adit({"run", set, "--csv", (folder / "ours.csv").string(), "--quiet"}).exit_code, 0);
   write_text(folder / "oracle.csv",
-             "source,status,confidence,u_px,v_px\nelsewhere/frame0.png,found,0.9,100,110\n"
-             "drift/frame1.png,found,0.9,108,110\nframe2.png,found,0.9,270,200\nframe3.png,no_region,,,\n");
+             "source,status,confidence,u_px,v_px,openings\nelsewhere/frame0.png,found,0.9,100,110,\n"
+             "drift/frame1.png,found,0.9,108,110,\nframe2.png,found,0.9,270,200,27.8 -21.0 0.9; 31.0 23.0 0.8\n"
+             "frame3.png,no_region,,,,\n");
   const Outcome outcome =
       run_adit({"eval", set, "--method", "paper", "--table", "ours=" + (folder / "ours.csv").string(), "--table",
                 "oracle=" + (folder / "oracle.csv").string(), "--no-baselines", "--csv", "-", "--quiet"});
@@ -103,6 +104,9 @@ TEST(Eval, TableOfOthersIsAMethod) {
   for (const char* column : {"hits", "hit_rate", "refused_none", "error_deg"})
     EXPECT_EQ(cell(outcome.out, "drift", "ours", column), cell(outcome.out, "drift", "paper", column));
   EXPECT_EQ(cell(outcome.out, "drift", "oracle", "hits"), "3");
+  // At 208 px focal length the two stand for (269, 210) and (285, 16); the mark there begins at v = 20.
+  EXPECT_EQ(cell(outcome.out, "drift", "oracle", "branch_recall"), "0.500000");
+  EXPECT_EQ(cell(outcome.out, "drift", "oracle", "branch_precision"), "0.500000");
   EXPECT_EQ(cell(outcome.out, "drift", "oracle", "none_refused"), "1");
   EXPECT_EQ(cell(outcome.out, "drift", "oracle", "calibration_error"), "0.100000");
 }

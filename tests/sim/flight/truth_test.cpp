@@ -104,5 +104,33 @@ TEST(Truth, PassageAheadGoesAroundTheCorner) {
   EXPECT_EQ(truth.branches.size(), 1u);
 }
 
+Passage straight(int from, int to, const World& world) {
+  const Eigen::Vector3f a = world.nodes[static_cast<std::size_t>(from)].place;
+  const Eigen::Vector3f b = world.nodes[static_cast<std::size_t>(to)].place;
+  Passage passage{from, to, {}};
+  for (int i = 0; i <= 20; ++i) passage.axis.push_back({a + (b - a) * (static_cast<float>(i) / 20.0f), 4.0f, 3.0f});
+  return passage;
+}
+
+TEST(Truth, WayToAJunctionIsNoBranchOfIt) {
+  // A T in a hall, so that all of it can be seen: the stem ends at x = 20 m, 15 m ahead.
+  World world = test::bent_tunnel({{0, 0, 0}, {40, 0, 0}}, 30, 3);
+  world.nodes = {{NodeKind::kMouth, {0, 0, 0}},
+                 {NodeKind::kJunction, {20, 0, 0}},
+                 {NodeKind::kGoal, {20, 14, 0}},
+                 {NodeKind::kGoal, {20, -14, 0}}};
+  world.passages = {straight(0, 1, world), straight(1, 2, world), straight(1, 3, world)};
+  const RayScene scene(world.mesh);
+  const Network network(world);
+  const test::StandIn eye(scene);
+  const Surveyor surveyor({}, scene, network, 75.0);
+  const VehicleState state = standing({5, 0, 1}, 0.0);
+  const Truth truth = surveyor.look(state.place, nose(state), eye.pose(state), 1.0, std::nullopt);
+  EXPECT_NEAR(truth.passage.azimuth_rad, 0.0, 1e-6) << "the stem is followed";
+  ASSERT_EQ(truth.branches.size(), 2u) << "left and right";
+  EXPECT_NEAR(std::abs(truth.branches[0].azimuth_rad), std::atan2(4.0, 15.0), 1e-6);
+  EXPECT_NEAR(truth.branches[0].azimuth_rad, -truth.branches[1].azimuth_rad, 1e-6);
+}
+
 }  // namespace
 }  // namespace adit::sim

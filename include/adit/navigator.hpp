@@ -126,7 +126,6 @@ class Navigator {
   double blocked_s_ = 0.0;
   double turned_rad_ = 0.0;  ///< in this turn
   double turn_sign_ = 0.0;   ///< of the yaw rate
-  double turn_rate_rad_s_ = 0.0;
 };
 
 }  // namespace adit

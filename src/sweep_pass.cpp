@@ -14,11 +14,11 @@ struct Recipes {
 };
 
 template <int... kHalf>
-consteval Recipes round_recipes(std::integer_sequence<int, kHalf...>) {
+constexpr Recipes round_recipes(std::integer_sequence<int, kHalf...>) {
   return {{kernels::round_recipe(kHalf + 1)...}};
 }
 template <int... kHalf>
-consteval Recipes square_recipes(std::integer_sequence<int, kHalf...>) {
+constexpr Recipes square_recipes(std::integer_sequence<int, kHalf...>) {
   return {{kernels::square_recipe(kHalf + 1)...}};
 }
 using Halves = std::make_integer_sequence<int, kernels::kSweepHalfMax_px>;

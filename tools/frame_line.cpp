@@ -52,7 +52,9 @@ void FrameLine::push(io::Frame frame) {
   auto work = std::make_shared<FrameWork>();
   work->frame = std::move(frame);
   work->number = pushed_++;
-  work->done = pool_.submit([this, work](int worker) { judge(*work, worker); });
+  // Not a share in the work: it keeps its task's outcome, and the two would keep each other for ever when a run ends
+  // early.
+  work->done = pool_.submit([this, at = work.get()](int worker) { judge(*at, worker); });
   judging_.push_back(std::move(work));
 }
 
@@ -92,7 +94,7 @@ void FrameLine::pop_judged() {
   on_judged_(*work);
   if (!work->open_space || !(settings_.wants_panel || settings_.wants_png)) return;
   while (drawing_.size() >= room_) pop_drawn();
-  work->done = pool_.submit([this, work](int) { draw(*work); });
+  work->done = pool_.submit([this, at = work.get()](int) { draw(*at); });
   drawing_.push_back(work);
 }
 

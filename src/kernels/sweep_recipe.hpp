@@ -29,9 +29,11 @@ struct SweepRecipe {
   [[nodiscard]] constexpr int height() const { return 2 * reach_v[rectangle_count - 1] + 1; }
 };
 
+// Static: a function that all targets share could be taken from the object of another CPU.
+
 /// Half the chord of OpenCV's ellipse at `dv` rows from the middle: sqrt(half^2 - dv^2), to the nearest whole number.
 /// No square root of a whole number lies halfway between two whole numbers.
-consteval int half_chord_of_ellipse(int half, int dv) {
+static constexpr int half_chord_of_ellipse(int half, int dv) {
   const int square = half * half - dv * dv;
   int chord = 0;
   while ((2 * chord + 1) * (2 * chord + 1) <= 4 * square) ++chord;
@@ -40,7 +42,7 @@ consteval int half_chord_of_ellipse(int half, int dv) {
 
 /// Widens by `reach`: three windows of c columns side by side make one of up to 3 c. The window between two others is
 /// left out where those two meet, and where the rectangle that is joined contains it.
-consteval void add_widening(SweepRecipe& recipe, int reach, int joins) {
+static constexpr void add_widening(SweepRecipe& recipe, int reach, int joins) {
   const int window = 2 * reach + 1;
   for (int columns = 1; columns < window;) {
     const int shift = columns < (window - columns) / 2 ? columns : (window - columns) / 2;
@@ -52,7 +54,7 @@ consteval void add_widening(SweepRecipe& recipe, int reach, int joins) {
 }
 
 /// The ellipse inscribed in a square of 2 * half + 1 px.
-consteval SweepRecipe round_recipe(int half) {
+static constexpr SweepRecipe round_recipe(int half) {
   SweepRecipe recipe;
   int& count = recipe.rectangle_count;
   for (int dv = 0; dv <= half; ++dv) {
@@ -69,7 +71,7 @@ consteval SweepRecipe round_recipe(int half) {
 }
 
 /// The square itself.
-consteval SweepRecipe square_recipe(int half) {
+static constexpr SweepRecipe square_recipe(int half) {
   SweepRecipe recipe;
   recipe.rectangle_count = 1;
   recipe.reach_u[0] = half;

@@ -109,20 +109,18 @@ void apply(Order order, ConstPlaneView in, const StructuringElement& element, Pl
 
 }  // namespace
 
+// For whichever target will be in use: not all of them sweep.
 void MorphologyScratch::reserve(int width, int height, const StructuringElement& element) {
   Buffers& buffers = *buffers_;
   std::size_t rows = static_cast<std::size_t>(height);
-  if (SweepPass::takes(smallest_order(), element)) {
+  if (SweepPass::fits(element)) {
     const auto ring = static_cast<std::size_t>(SweepPass::ring_rows(width, element));
     for (SweepPass& pass : buffers.passes) pass.reserve(width, element);
     for (AlignedBytes& tails : buffers.tails) tails.reserve(ring * AlignedBytes::kAlignment);
     rows = std::max(rows, ring);
   }
-  if (element.is_rectangle()) {
-    buffers.work.reserve(RectanglePass::bytes_needed(width, height, element));
-  } else if (!SweepPass::takes(smallest_order(), element)) {
-    buffers.work.reserve(LargeEllipse::bytes_needed(height, element));
-  }
+  buffers.work.reserve(element.is_rectangle() ? RectanglePass::bytes_needed(width, height, element)
+                                              : LargeEllipse::bytes_needed(height, element));
   buffers.plane.reserve(plane_pitch(width) * rows);
 }
 

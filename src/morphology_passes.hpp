@@ -113,6 +113,9 @@ class SweepPass {
   /// Pairs that go through the loop together.
   static constexpr int kBatch = 4;
 
+  /// Whether there may be a target that sweeps over this element.
+  [[nodiscard]] static bool fits(const StructuringElement& element) noexcept;
+  /// Whether the present one does.
   [[nodiscard]] static bool takes(const Order& order, const StructuringElement& element) noexcept;
 
   /// Makes room. May throw std::bad_alloc.

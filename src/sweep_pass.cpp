@@ -51,10 +51,15 @@ int slots_of(int width, const StructuringElement& element) {
 
 }  // namespace
 
-bool SweepPass::takes(const Order& order, const StructuringElement& element) noexcept {
+bool SweepPass::fits(const StructuringElement& element) noexcept {
   const int half = element.height() / 2;
-  if (element.width() != element.height() || half < 1 || half > kernels::kSweepHalfMax_px) return false;
-  return !element.is_rectangle() || order.loops.square.of_half[half - 1] != nullptr;
+  return element.width() == element.height() && half >= 1 && half <= kernels::kSweepHalfMax_px;
+}
+
+bool SweepPass::takes(const Order& order, const StructuringElement& element) noexcept {
+  if (!fits(element)) return false;
+  const kernels::SweepLoops& loops = element.is_rectangle() ? order.loops.square : order.loops.round;
+  return loops.of_half[element.height() / 2 - 1] != nullptr;
 }
 
 int SweepPass::ring_rows(int width, const StructuringElement& element) noexcept {

@@ -277,18 +277,27 @@ std::uint64_t sum_where_bright(const std::uint8_t* from, int channels, const std
   return total;
 }
 
+#if defined(ADIT_NO_SWEEPS)
+constexpr SweepLoops kRoundErosions{};
+constexpr SweepLoops kRoundDilations{};
+constexpr SweepLoops kSquareErosions{};
+#else
 #include "sweep.inl"
 
+using Halves = IndicesTo<kSweepHalfMax_px>::type;
+constexpr SweepLoops kRoundErosions = sweep_loops<Smallest, Round>(Halves{});
+constexpr SweepLoops kRoundDilations = sweep_loops<Largest, Round>(Halves{});
+constexpr SweepLoops kSquareErosions = sweep_loops<Smallest, Square>(Halves{});
+#endif
+
 template <class Order>
-constexpr OrderLoops order_loops(SweepLoops square) {
-  using Halves = IndicesTo<kSweepHalfMax_px>::type;
-  return {join<Order>, fold<Order>, gather<Order>, compare_cells<Order>, sweep_loops<Order, Round>(Halves{}), square};
+constexpr OrderLoops order_loops(SweepLoops round, SweepLoops square) {
+  return {join<Order>, fold<Order>, gather<Order>, compare_cells<Order>, round, square};
 }
 
-constexpr SweepLoops kSquareErosions = sweep_loops<Smallest, Square>(IndicesTo<kSweepHalfMax_px>::type{});
 constexpr PixelLoops kLoops = {Bytes::kLanes,
-                               order_loops<Smallest>(kSquareErosions),
-                               order_loops<Largest>({}),
+                               order_loops<Smallest>(kRoundErosions, kSquareErosions),
+                               order_loops<Largest>(kRoundDilations, {}),
                                triplet_minimum,
                                quad_minimum,
                                grey16_to_8,

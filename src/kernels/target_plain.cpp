@@ -1,6 +1,4 @@
 // CPU target `plain`: C++ alone, for every machine. The compiler may vectorise it for the baseline of its architecture.
-#include <bit>
-
 #include "pixel_loops.hpp"
 
 namespace adit::kernels {
@@ -102,38 +100,8 @@ inline std::uint64_t masked_triplet_sum(const std::uint8_t* p, const std::uint8_
   return total;
 }
 
-// The bytes of two vectors side by side, from `first` on: by shifts of 64-bit words where the order of bytes allows,
-// for a loop over bytes is ten times slower.
-template <int kFirst>
-inline Bytes across(const Bytes& a, const Bytes& b) {
-  if constexpr (std::endian::native != std::endian::little) {
-    return each([&](int i) { return i + kFirst < Bytes::kLanes ? a.v[i + kFirst] : b.v[i + kFirst - Bytes::kLanes]; });
-  }
-  std::uint64_t words[5] = {};
-  __builtin_memcpy(words, a.v, sizeof a.v);
-  __builtin_memcpy(words + 2, b.v, sizeof b.v);
-  constexpr int kWord = kFirst / 8;
-  constexpr int kBits = 8 * (kFirst % 8);
-  if constexpr (kBits > 0) {
-    for (int i = 0; i < 2; ++i) {
-      words[i] = (words[i + kWord] >> kBits) | (words[i + kWord + 1] << (64 - kBits));
-    }
-  } else {
-    for (int i = 0; i < 2; ++i) words[i] = words[i + kWord];
-  }
-  Bytes result;
-  __builtin_memcpy(result.v, words, sizeof result.v);
-  return result;
-}
-template <int kColumns>
-inline Bytes earlier(const Bytes& before, const Bytes& now) {
-  return across<Bytes::kLanes - kColumns>(before, now);
-}
-template <int kColumns>
-inline Bytes later(const Bytes& now, const Bytes& after) {
-  return across<kColumns>(now, after);
-}
-
+// Without an instruction that shifts bytes from one vector into the next, a sweep is slower than what goes without.
+#define ADIT_NO_SWEEPS
 #include "loops.inl"
 
 }  // namespace

@@ -45,7 +45,8 @@ long allocations_during(auto&& work) {
 }
 
 TEST(Allocation, TheCounterCounts) {
-  EXPECT_GT(allocations_during([] { std::vector<int>(1000).at(7) = 1; }), 0);
+  // Called by name: a compiler may leave out a new and its delete, but not these.
+  EXPECT_GT(allocations_during([] { ::operator delete(::operator new(1000)); }), 0);
 }
 
 TEST(Allocation, NoneInTheNavigatorAfterTheFirstFrame) {

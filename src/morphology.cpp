@@ -39,12 +39,9 @@ void apply_small(Order order, ConstPlaneView in, const StructuringElement& eleme
   SweepPass& pass = buffers.passes[0];
   pass.start(order, in.width, in.height, element, rows_of(in, buffers.tails[0], ring),
              rows_of(out, buffers.tails[1], ring));
-  for (int v = 0; v < in.height;) {
-    for (int i = 0; i < SweepPass::kBatch && v < in.height; ++i, v += 2) {
-      tails_in.take(in, v + 2 + element.height() / 2);
-      pass.take(v);
-    }
-    pass.run();
+  for (int v = 0; v < in.height; v += 2) {
+    tails_in.take(in, v + 2 + element.height() / 2);
+    pass.take(v);
     tails_out.give(out, pass.rows_done());
   }
   pass.finish();

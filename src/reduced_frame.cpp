@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
-#include "kernels/pixel_loops.hpp"
+#include "channel_minimum.hpp"
 
 namespace adit {
 namespace {
@@ -24,27 +23,6 @@ int cells_of(int length_px, int longer_px) {
   return std::clamp(square, 4, kCellsMax);
 }
 
-void channel_minimum(const ImageView& view, int v, int grey16_depth_bits, std::uint8_t* to) noexcept {
-  const kernels::PixelLoops& loops = kernels::pixel_loops();
-  const std::uint8_t* from = view.row(v);
-  switch (view.format) {
-    case PixelFormat::kGrey8:
-      std::memcpy(to, from, static_cast<std::size_t>(view.width));
-      return;
-    case PixelFormat::kGrey16:
-      loops.grey16_to_8(from, grey16_depth_bits - 8, to, view.width);
-      return;
-    case PixelFormat::kBgr8:
-    case PixelFormat::kRgb8:
-      loops.triplet_minimum(from, to, view.width);
-      return;
-    case PixelFormat::kBgra8:
-    case PixelFormat::kRgba8:
-      loops.quad_minimum(from, to, view.width);
-      return;
-  }
-}
-
 }  // namespace
 
 CellGrid::CellGrid(int frame_width_px, int frame_height_px)
@@ -58,6 +36,7 @@ double CellGrid::place(const std::vector<int>& first, double cell) noexcept {
 
 void reduce(const ImageView& view, int grey16_depth_bits, const CellGrid& grid, ReductionRows& rows,
             CellPlane& out) noexcept {
+  const ChannelMinimum channel_minimum(view.format, grey16_depth_bits);
   std::uint16_t* const sums = rows.sums.data();
   const std::uint8_t* const minimum = rows.minimum.data();
   for (int cell_v = 0; cell_v < grid.height(); ++cell_v) {
@@ -70,7 +49,7 @@ void reduce(const ImageView& view, int grey16_depth_bits, const CellGrid& grid, 
     int rows_read = 0;
     for (int v = first_v; v < end_v; v += step) {
       ++rows_read;
-      channel_minimum(view, v, grey16_depth_bits, rows.minimum.data());
+      channel_minimum(view.row(v), rows.minimum.data(), view.width);
       for (int u = 0; u < view.width; ++u) sums[u] = static_cast<std::uint16_t>(sums[u] + minimum[u]);
     }
     std::int16_t* const to = out.row(cell_v);

@@ -42,6 +42,11 @@ std::array<double, N> solved(std::array<std::array<double, N>, N> a, std::array<
   return b;
 }
 
+/// The lobe's logarithm where its terms are `t`; t[0] is 1.
+double lobe_at(const std::array<double, 5>& c, const std::array<double, 5>& t) noexcept {
+  return c[0] + c[1] * t[1] + c[2] * t[2] + c[3] * t[3] + c[4] * t[4];
+}
+
 }  // namespace
 
 VeilFit::VeilFit(const CellGrid& grid, const Camera& camera, const FinderConfig& config)
@@ -93,7 +98,7 @@ VeilFit::Coefficients VeilFit::fit() noexcept {
         const auto& t = terms_[at];
         double weight = 1.0;
         if (round > 0) {
-          const double rest = log_[at] - (c[0] + c[1] * t[1] + c[2] * t[2] + c[3] * t[3] + c[4] * t[4]);
+          const double rest = log_[at] - lobe_at(c, t);
           weight = (rest > 0.0 ? kBelow : 1.0 - kBelow) / std::max(std::abs(rest), kResidualMin);
         }
         for (std::size_t i = 0; i < 5; ++i) {
@@ -160,7 +165,7 @@ VeilSight VeilFit::judge(const CellPlane& levels) noexcept {
   const Coefficients c = fit();
   for (std::size_t at = 0; at < terms_.size(); ++at) {
     const auto& t = terms_[at];
-    const double above = log_[at] - (c[0] + c[1] * t[1] + c[2] * t[2] + c[3] * t[3] + c[4] * t[4]);
+    const double above = log_[at] - lobe_at(c, t);
     rock_[at] = above > 0.0 ? std::exp(std::min(above, 12.0)) - 1.0 : 0.0;
   }
   order_ = rock_;

@@ -127,14 +127,6 @@ std::string filled(std::string page, const std::vector<std::pair<std::string, st
   return page;
 }
 
-void make_folder(const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error || !fs::is_directory(folder, error))
-    throw io::OutputError(folder.string() +
-                          ": this folder cannot be made: " + (error ? error.message() : "a file has its name"));
-}
-
 }  // namespace
 
 const char* method_colour(std::size_t row) noexcept {
@@ -173,7 +165,7 @@ std::string html_of(std::string_view text) {
 void write_gallery(const fs::path& path, const EvalWork& work, const EvalResult& result) {
   const bool one_file = path.extension() == ".html";
   const fs::path thumbs = one_file ? fs::path() : path / "thumbs";
-  if (!one_file) make_folder(thumbs);
+  if (!one_file) io::make_folder(thumbs);
   // The cards last: what stands in them is not looked through for names of parts.
   const std::string page = filled(std::string(gallery_page()), {{"@SUMMARY@", html_of(eval_text(work, result))},
                                                                 {"@DIAGRAMS@", diagrams_of(result)},

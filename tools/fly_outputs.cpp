@@ -9,20 +9,13 @@
 
 #include "adit/io/draw.hpp"
 #include "adit/io/errors.hpp"
+#include "adit/io/output_file.hpp"
+#include "csv_cell.hpp"
 
 namespace adit::tools {
 namespace {
 
 constexpr double kDegree = 180.0 / std::numbers::pi;
-
-/// Appends ",value" with so many digits, or "," where there is none.
-void add_cell(std::string& line, double value, int digits) {
-  line += ',';
-  if (!std::isfinite(value)) return;
-  char text[48];
-  std::snprintf(text, sizeof text, "%.*f", digits, value);
-  line += text;
-}
 
 double angle_deg(double rad) { return rad * kDegree; }
 
@@ -68,9 +61,7 @@ void write_imu(io::OutputFile& file, const std::vector<sim::ImuSample>& samples)
 }
 
 std::filesystem::path made(const std::filesystem::path& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) throw io::OutputError(folder.string() + ": the folder cannot be made: " + error.message());
+  io::make_folder(folder);
   return folder;
 }
 

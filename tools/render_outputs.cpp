@@ -9,6 +9,7 @@
 
 #include "adit/io/errors.hpp"
 #include "adit/io/output_file.hpp"
+#include "csv_cell.hpp"
 #include "version.hpp"
 
 namespace adit::tools {
@@ -18,15 +19,6 @@ namespace fs = std::filesystem;
 
 constexpr double kDegree = 180.0 / std::numbers::pi;
 constexpr float kRangeUnit_m = 0.001f;
-
-/// Appends ",value" with so many digits, or "," where there is none.
-void add_cell(std::string& line, double value, int digits) {
-  line += ',';
-  if (!std::isfinite(value)) return;
-  char text[48];
-  std::snprintf(text, sizeof text, "%.*f", digits, value);
-  line += text;
-}
 
 /// ",12.30;-4.50", in degrees.
 template <class Angle>
@@ -43,14 +35,6 @@ std::string name_of(std::int64_t frame) {
   char digits[24];
   std::snprintf(digits, sizeof digits, "%06lld.png", static_cast<long long>(frame));
   return digits;
-}
-
-void make_folder(const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error || !fs::is_directory(folder, error))
-    throw io::OutputError(folder.string() +
-                          ": this folder cannot be made: " + (error ? error.message() : "a file has its name"));
 }
 
 void write_png(const fs::path& path, const cv::Mat& picture, int compression) {
@@ -170,7 +154,7 @@ std::string remake_yaml(const io::Settings& settings, const io::Settings& as_rig
 
 DatasetOutputs::DatasetOutputs(fs::path folder) : folder_(std::move(folder)) {
   for (const char* name : {"frames", "range"}) {
-    make_folder(folder_ / name);
+    io::make_folder(folder_ / name);
     if (!fs::is_empty(folder_ / name))
       throw io::OutputError((folder_ / name).string() +
                             ": there are files already, which would mix with new ones; choose another folder");

@@ -56,14 +56,7 @@ RunOutputs::RunOutputs(const OutputOptions& options, double video_rate_hz) : opt
   }
   if (!options.jsonl.empty()) tables_.push_back({io::OutputFile(options.jsonl), true, ""});
   if (!options.video.empty()) video_.emplace(options.video, video_rate_hz);
-  if (!options.frames_folder.empty()) {
-    std::error_code error;
-    fs::create_directories(options.frames_folder, error);
-    if (error || !fs::is_directory(options.frames_folder)) {
-      throw io::OutputError(options.frames_folder +
-                            ": this folder cannot be made: " + (error ? error.message() : "a file has its name"));
-    }
-  }
+  if (!options.frames_folder.empty()) io::make_folder(options.frames_folder);
 }
 
 void RunOutputs::write_row(const io::TableRow& row) {

@@ -155,4 +155,13 @@ void write_file(const std::filesystem::path& path, std::string_view content) {
   file.commit();
 }
 
+void make_folder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error || !std::filesystem::is_directory(folder, error)) {
+    throw OutputError(folder.string() +
+                      ": this folder cannot be made: " + (error ? error.message() : "a file has its name"));
+  }
+}
+
 }  // namespace adit::io

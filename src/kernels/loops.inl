@@ -284,7 +284,7 @@ constexpr SweepLoops kSquareErosions{};
 #else
 #include "sweep.inl"
 
-using Halves = IndicesTo<kSweepHalfMax_px>::type;
+using Halves = std::make_integer_sequence<int, kSweepHalfMax_px>;
 constexpr SweepLoops kRoundErosions = sweep_loops<Smallest, Round>(Halves{});
 constexpr SweepLoops kRoundDilations = sweep_loops<Largest, Round>(Halves{});
 constexpr SweepLoops kSquareErosions = sweep_loops<Smallest, Square>(Halves{});

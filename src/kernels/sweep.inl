@@ -3,15 +3,6 @@
 // The including file defines, beside what loops.inl wants: earlier<K>(before, now) and later<K>(now, after), the
 // columns K to the left and to the right of `now`, where `before` and `after` are its neighbours.
 
-template <int... kIndex>
-struct Indices {};
-template <int kCount, int... kIndex>
-struct IndicesTo : IndicesTo<kCount - 1, kCount - 1, kIndex...> {};
-template <int... kIndex>
-struct IndicesTo<0, kIndex...> {
-  using type = Indices<kIndex...>;
-};
-
 template <int kHalf>
 struct Round {
   static constexpr SweepRecipe kRecipe = round_recipe(kHalf);
@@ -102,7 +93,7 @@ struct ElementSweep {
   }
 
   template <int... k>
-  inline void sweep(const SweepPlace* places, int count, Indices<k...>) {
+  inline void sweep(const SweepPlace* places, int count, std::integer_sequence<int, k...>) {
     for (const SweepPlace* place = places; place < places + count; ++place) {
       Pair best = window<0>(place);
       (step<k>(place, best), ...);
@@ -117,12 +108,12 @@ struct ElementSweep {
     // A copy: what has its address taken does not stay in registers.
     ElementSweep* kept = reinterpret_cast<ElementSweep*>(state);
     ElementSweep local = *kept;
-    local.sweep(places, count, typename IndicesTo<kSteps>::type{});
+    local.sweep(places, count, std::make_integer_sequence<int, kSteps>{});
     *kept = local;
   }
 };
 
 template <class Order, template <int> class Element, int... kHalf>
-constexpr SweepLoops sweep_loops(Indices<kHalf...>) {
+constexpr SweepLoops sweep_loops(std::integer_sequence<int, kHalf...>) {
   return {{ElementSweep<Order, Element<kHalf + 1>>::run...}};
 }

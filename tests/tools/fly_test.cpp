@@ -1,9 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "program.hpp"
 #include "scratch_folder.hpp"
@@ -11,13 +9,6 @@
 namespace {
 
 using namespace adit::testing;
-
-std::string text_of(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
 
 /// A short flight through coarse rock on small frames: what is tested here is the program, not the picture.
 std::vector<std::string> short_flight(const std::string& time_s, const std::vector<std::string>& more = {}) {
@@ -33,10 +24,10 @@ TEST(Fly, WritesATableASummaryAMapAndFigures) {
   const Outcome outcome = run_adit(short_flight("1", {"--out", "flight", "--video", "--still", "0.5", "--sensors"}),
                                    {.folder = folder.path()});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  const auto rows = rows_of(text_of(folder / "flight/flight.csv"));
+  const auto rows = rows_of(read_text(folder / "flight/flight.csv"));
   ASSERT_EQ(rows.size(), 31u);
   for (const auto& row : rows) EXPECT_EQ(row.size(), rows[0].size());
-  const auto json = nlohmann::json::parse(text_of(folder / "flight/summary.json"));
+  const auto json = nlohmann::json::parse(read_text(folder / "flight/summary.json"));
   for (const char* key :
        {"outcome", "distance_m", "duration_s", "side_clearance_min_m", "clearance_min_m", "heading_error_passage_deg",
         "heading_error_deepest_deg", "sx_jitter", "found_fraction", "false_stops", "missed_stops", "real_time_factor"})
@@ -55,28 +46,28 @@ TEST(Fly, TheSameSeedGivesTheSameBytesOnOneThreadAndTwo) {
                   .exit_code,
               0);
   ASSERT_EQ(run_adit(short_flight("1", {"--out", "other", "--seed", "2"}), {.folder = folder.path()}).exit_code, 0);
-  const std::string one = text_of(folder / "on_1/flight.csv");
+  const std::string one = read_text(folder / "on_1/flight.csv");
   EXPECT_GT(one.size(), 2000u);
-  EXPECT_EQ(one, text_of(folder / "on_2/flight.csv"));
-  EXPECT_EQ(text_of(folder / "on_1/map.png"), text_of(folder / "on_2/map.png"));
-  EXPECT_NE(one, text_of(folder / "other/flight.csv"));
+  EXPECT_EQ(one, read_text(folder / "on_2/flight.csv"));
+  EXPECT_EQ(read_text(folder / "on_1/map.png"), read_text(folder / "on_2/map.png"));
+  EXPECT_NE(one, read_text(folder / "other/flight.csv"));
 }
 
 TEST(Fly, ManySeedsGiveATableAndARate) {
   const ScratchFolder folder;
   auto arguments = short_flight("0.5", {"--seeds", "3..5", "--jobs", "2", "--out", "runs"});
   ASSERT_EQ(run_adit(arguments, {.folder = folder.path()}).exit_code, 0);
-  const auto rows = rows_of(text_of(folder / "runs/runs.csv"));
+  const auto rows = rows_of(read_text(folder / "runs/runs.csv"));
   ASSERT_EQ(rows.size(), 4u);
   EXPECT_EQ(rows[1][0], "3");
   EXPECT_EQ(rows[3][0], "5");
-  const auto json = nlohmann::json::parse(text_of(folder / "runs/runs.json"));
+  const auto json = nlohmann::json::parse(read_text(folder / "runs/runs.json"));
   EXPECT_EQ(json["runs"], 3);
   EXPECT_EQ(json["successes"], 0) << "half a second reaches no goal";
   EXPECT_EQ(json["outcomes"]["timeout"], 3);
   // A flight among others is the flight alone.
   ASSERT_EQ(run_adit(short_flight("0.5", {"--seed", "4", "--out", "alone"}), {.folder = folder.path()}).exit_code, 0);
-  EXPECT_EQ(text_of(folder / "alone/flight.csv"), text_of(folder / "runs/seed_4/flight.csv"));
+  EXPECT_EQ(read_text(folder / "alone/flight.csv"), read_text(folder / "runs/seed_4/flight.csv"));
 }
 
 TEST(Fly, AnInterruptedFlightIsWhole) {
@@ -84,7 +75,7 @@ TEST(Fly, AnInterruptedFlightIsWhole) {
   const Outcome outcome = run_adit(short_flight("600", {"--out", "flight", "--set", "stuck_radius_m=0.1"}),
                                    {.folder = folder.path(), .signal = 2, .delay_ms = 3000});
   EXPECT_EQ(outcome.exit_code, 130) << outcome.err;
-  const auto json = nlohmann::json::parse(text_of(folder / "flight/summary.json"));
+  const auto json = nlohmann::json::parse(read_text(folder / "flight/summary.json"));
   EXPECT_EQ(json["outcome"], "interrupted");
   for (const auto& entry : std::filesystem::directory_iterator(folder / "flight"))
     EXPECT_EQ(entry.path().string().find(".part"), std::string::npos) << entry.path();

@@ -6,7 +6,6 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
-#include <sstream>
 
 #include "program.hpp"
 #include "scratch_folder.hpp"
@@ -14,13 +13,6 @@
 namespace {
 
 using namespace adit::testing;
-
-std::string text_of(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
 
 /// Small frames of coarse rock: what is tested here is the program, not the picture.
 std::vector<std::string> few_frames(const std::string& out, const std::vector<std::string>& more = {}) {
@@ -31,11 +23,11 @@ std::vector<std::string> few_frames(const std::string& out, const std::vector<st
 }
 
 void expect_same_set(const std::filesystem::path& a, const std::filesystem::path& b) {
-  EXPECT_EQ(text_of(a / "truth.csv"), text_of(b / "truth.csv"));
+  EXPECT_EQ(read_text(a / "truth.csv"), read_text(b / "truth.csv"));
   for (const char* name : {"frames/000000.png", "frames/000002.png", "range/000001.png"}) {
-    const std::string bytes = text_of(a / name);
+    const std::string bytes = read_text(a / name);
     EXPECT_GT(bytes.size(), 100u) << name;
-    EXPECT_TRUE(bytes == text_of(b / name)) << name;
+    EXPECT_TRUE(bytes == read_text(b / name)) << name;
   }
 }
 
@@ -43,7 +35,7 @@ TEST(Render, WritesFramesRangesAndTruth) {
   const ScratchFolder folder;
   const Outcome outcome = run_adit(few_frames("set", {"--dust", "0.05"}), {.folder = folder.path()});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  const auto rows = rows_of(text_of(folder / "set/truth.csv"));
+  const auto rows = rows_of(read_text(folder / "set/truth.csv"));
   ASSERT_EQ(rows.size(), 4u);
   for (const auto& row : rows) EXPECT_EQ(row.size(), rows[0].size());
   const auto column = [&](const char* name) {
@@ -66,7 +58,7 @@ TEST(Render, WritesFramesRangesAndTruth) {
     EXPECT_LT(std::abs(std::stod(rows[i][column("passage_azimuth_deg")])), 90.0);
     EXPECT_EQ(rows[i][column("dust_1_m")], "0.05000000075") << "as the renderer has it";
   }
-  const auto json = nlohmann::json::parse(text_of(folder / "set/dataset.json"));
+  const auto json = nlohmann::json::parse(read_text(folder / "set/dataset.json"));
   EXPECT_EQ(json["frames"], 3);
   EXPECT_EQ(json["complete"], true);
   const Outcome run = run_adit({"run", "set/frames", "--camera", "set/camera.yaml", "--csv", "t.csv", "--quiet"},
@@ -88,7 +80,7 @@ TEST(Render, SeedAndSettingsFileMakeTheSameBytesOnAnyNumberOfThreads) {
   ASSERT_EQ(again.exit_code, 0) << again.err;
   expect_same_set(folder / "one", folder / "again");
   ASSERT_EQ(run_adit(few_frames("other", {"--seed", "2"}), {.folder = folder.path()}).exit_code, 0);
-  EXPECT_NE(text_of(folder / "one/truth.csv"), text_of(folder / "other/truth.csv"));
+  EXPECT_NE(read_text(folder / "one/truth.csv"), read_text(folder / "other/truth.csv"));
 }
 
 TEST(Render, TakesPosesFromATable) {
@@ -96,7 +88,7 @@ TEST(Render, TakesPosesFromATable) {
   std::ofstream(folder / "poses.csv") << "stamp_s,x_m,y_m,z_m,roll_deg,pitch_deg,yaw_deg\n"
                                          "0,3,0.2,1,0,0,10\n0.5,3.5,0.2,1,0,2,0\n1,4,0.2,1,0,0,-10\n";
   ASSERT_EQ(run_adit(few_frames("set", {"--poses", "poses.csv"}), {.folder = folder.path()}).exit_code, 0);
-  const auto rows = rows_of(text_of(folder / "set/truth.csv"));
+  const auto rows = rows_of(read_text(folder / "set/truth.csv"));
   ASSERT_EQ(rows.size(), 4u);
   EXPECT_EQ(rows[2][4], "3.5000");
   EXPECT_EQ(rows[2][9], "0.000");
@@ -110,9 +102,9 @@ TEST(Render, AnInterruptedSetIsWhole) {
   const Outcome outcome =
       run_adit(arguments, {.folder = folder.path(), .signal = 2, .signal_when = folder / "set/frames/000002.png"});
   EXPECT_EQ(outcome.exit_code, 130) << outcome.err;
-  const auto rows = rows_of(text_of(folder / "set/truth.csv"));
+  const auto rows = rows_of(read_text(folder / "set/truth.csv"));
   ASSERT_GE(rows.size(), 2u);
-  EXPECT_EQ(nlohmann::json::parse(text_of(folder / "set/dataset.json"))["complete"], false);
+  EXPECT_EQ(nlohmann::json::parse(read_text(folder / "set/dataset.json"))["complete"], false);
   std::size_t frames = 0;
   for (const auto& entry : std::filesystem::directory_iterator(folder / "set/frames")) {
     EXPECT_EQ(entry.path().string().find(".part"), std::string::npos) << entry.path();

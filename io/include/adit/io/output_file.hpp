@@ -64,4 +64,7 @@ class OutputFile {
 /// Writes a whole file at once. @throws OutputError
 void write_file(const std::filesystem::path& path, std::string_view content);
 
+/// Makes a folder and those above it, where they are not there. @throws OutputError
+void make_folder(const std::filesystem::path& folder);
+
 }  // namespace adit::io

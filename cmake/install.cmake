@@ -15,7 +15,7 @@ function(adit_install_component name header_dir)
 endfunction()
 
 adit_install_component(core ${PROJECT_SOURCE_DIR}/include)
-foreach(component IN ITEMS io sim)
+foreach(component IN ITEMS node io sim)
   if(TARGET adit_${component})
     get_target_property(kind adit_${component} TYPE)
     if(NOT kind STREQUAL "INTERFACE_LIBRARY")

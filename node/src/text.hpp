@@ -1,0 +1,17 @@
+// Lines that the diagnostics of both nodes share.
+#pragma once
+
+#include <string>
+
+#include "adit/node/diagnosis.hpp"
+#include "adit/node/latency.hpp"
+#include "adit/node/stamp_check.hpp"
+
+namespace adit::node {
+
+/// With so many digits after the point.
+[[nodiscard]] std::string text_of(double value, int digits);
+void add_latency(Diagnosis& diagnosis, const LatencyMeter& latency);
+void add_stamps(Diagnosis& diagnosis, const StampCheck& stamps);
+
+}  // namespace adit::node

@@ -1,30 +1,52 @@
-# Installs the libraries as a package: find_package(adit REQUIRED COMPONENTS core io sim).
+# Installs the libraries as a package: find_package(adit REQUIRED COMPONENTS core io sim c), or pkg-config.
 # Each component has an export file of its own, so that a project that wants the core alone needs nothing else.
+# The COMPONENT of each rule says in which Debian package it ends (cmake/packaging.cmake).
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/adit)
+set(pkgconfig_dir ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 
-function(adit_install_component name header_dir)
+function(adit_install_component name header_dir pattern)
   install(TARGETS adit_${name} EXPORT adit-${name}-targets
-    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
-    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
-    RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR}
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development
+    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT library NAMELINK_COMPONENT development
+    RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT library
     INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-  install(EXPORT adit-${name}-targets NAMESPACE adit:: DESTINATION ${package_dir})
-  install(DIRECTORY ${header_dir}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.hpp")
+  install(EXPORT adit-${name}-targets NAMESPACE adit:: DESTINATION ${package_dir} COMPONENT development)
+  install(DIRECTORY ${header_dir}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development
+    FILES_MATCHING PATTERN "${pattern}")
 endfunction()
 
-adit_install_component(core ${PROJECT_SOURCE_DIR}/include)
-foreach(component IN ITEMS node io sim)
-  if(TARGET adit_${component})
-    get_target_property(kind adit_${component} TYPE)
-    if(NOT kind STREQUAL "INTERFACE_LIBRARY")
-      adit_install_component(${component} ${PROJECT_SOURCE_DIR}/${component}/include)
-    endif()
-  endif()
-endforeach()
+# A pkg-config file; paths in it follow the file wherever it is moved to.
+function(adit_install_pkgconfig PC_NAME PC_DESCRIPTION PC_LIBS PC_REQUIRES PC_LIBS_PRIVATE)
+  file(RELATIVE_PATH PC_PREFIX ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
+  string(REGEX REPLACE "/$" "" PC_PREFIX "${PC_PREFIX}")
+  configure_file(${PROJECT_SOURCE_DIR}/cmake/adit.pc.in ${CMAKE_CURRENT_BINARY_DIR}/${PC_NAME}.pc @ONLY)
+  install(FILES ${CMAKE_CURRENT_BINARY_DIR}/${PC_NAME}.pc DESTINATION ${pkgconfig_dir} COMPONENT development)
+endfunction()
+
+adit_install_component(core ${PROJECT_SOURCE_DIR}/include *.hpp)
+adit_install_pkgconfig(adit-core "the C++ core: finder, camera, controller, navigator" -ladit_core "" -lstdc++)
+if(TARGET adit_c)
+  adit_install_component(c ${PROJECT_SOURCE_DIR}/c/include *.h)
+  adit_install_pkgconfig(adit "the C interface" -ladit "" "")
+endif()
+if(TARGET adit_node)
+  adit_install_component(node ${PROJECT_SOURCE_DIR}/node/include *.hpp)
+endif()
+if(TARGET adit_io)
+  adit_install_component(io ${PROJECT_SOURCE_DIR}/io/include *.hpp)
+  adit_install_pkgconfig(adit-io "images, videos, tables and configuration files" -ladit_io "adit-core opencv4"
+    "-lyaml-cpp -ljpeg")
+endif()
+if(TARGET adit_sim)
+  adit_install_component(sim ${PROJECT_SOURCE_DIR}/sim/include *.hpp)
+endif()
 if(TARGET adit_program)
-  install(TARGETS adit_program RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  install(TARGETS adit_program RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
+  # Where the installed program looks for them (tools/fly_setup.cpp).
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/courses/ DESTINATION ${CMAKE_INSTALL_DATADIR}/adit/courses COMPONENT program
+    FILES_MATCHING PATTERN "*.yaml")
 endif()
 
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/adit-config.cmake.in
@@ -33,5 +55,4 @@ configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/adit-config.cmake.in
 write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/adit-config-version.cmake
   COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/adit-config.cmake ${CMAKE_CURRENT_BINARY_DIR}/adit-config-version.cmake
-  DESTINATION ${package_dir})
-install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+  DESTINATION ${package_dir} COMPONENT development)

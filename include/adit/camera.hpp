@@ -6,7 +6,9 @@
 #include <string>
 #include <string_view>
 
-namespace adit {
+#include "adit/api.hpp"
+
+namespace ADIT_API adit {
 
 /// A place in the image. Pixel centres are at integers, the origin is the centre of the top left pixel.
 struct Pixel {

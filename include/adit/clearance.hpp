@@ -7,9 +7,10 @@
 #include <string>
 #include <string_view>
 
+#include "adit/api.hpp"
 #include "adit/range_memory.hpp"
 
-namespace adit {
+namespace ADIT_API adit {
 
 /// Which way to take where the passage branches.
 enum class Prefer { kStraight, kLeft, kRight, kExplore };

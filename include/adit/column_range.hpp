@@ -7,10 +7,11 @@
 #include <string>
 #include <vector>
 
+#include "adit/api.hpp"
 #include "adit/camera.hpp"
 #include "adit/image.hpp"
 
-namespace adit {
+namespace ADIT_API adit {
 
 /// Every constant of the column range; unit, range and source of each field stand in visit_fields() (fields.hpp).
 struct ColumnRangeConfig {

@@ -4,7 +4,9 @@
 #include <span>
 #include <string_view>
 
-namespace adit {
+#include "adit/api.hpp"
+
+namespace ADIT_API adit {
 
 /// Names of the targets that are compiled in and that this machine can run, the fastest first:
 /// some of "avx512", "avx2", "sse41", "neon", and always "plain".

@@ -1,10 +1,11 @@
 // The dark channel (paper, eq. 3): the smallest value over colour and over a patch.
 #pragma once
 
+#include "adit/api.hpp"
 #include "adit/image.hpp"
 #include "adit/morphology.hpp"
 
-namespace adit {
+namespace ADIT_API adit {
 
 /// dark(u, v) = min over the colour channels and over the patch centred on (u, v), in grey levels (0 to 255).
 /// Pixels outside the frame take no part. Alpha takes no part. 16-bit grey is first brought to 8 bits:

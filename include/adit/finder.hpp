@@ -9,13 +9,14 @@
 #include <string_view>
 #include <vector>
 
+#include "adit/api.hpp"
 #include "adit/camera.hpp"
 #include "adit/image.hpp"
 #include "adit/kmeans.hpp"
 #include "adit/region.hpp"
 #include "adit/scattering_depth.hpp"
 
-namespace adit {
+namespace ADIT_API adit {
 
 /// Which chain of stages answers.
 enum class Method {

@@ -6,10 +6,11 @@
 #include <optional>
 #include <string>
 
+#include "adit/api.hpp"
 #include "adit/finder.hpp"
 #include "adit/image.hpp"
 
-namespace adit {
+namespace ADIT_API adit {
 
 /// Every constant of the watch; unit, range and source of each field stand in visit_fields() (navigator_fields.hpp).
 struct FrameWatchConfig {

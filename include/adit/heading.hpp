@@ -6,10 +6,11 @@
 #include <string>
 #include <string_view>
 
+#include "adit/api.hpp"
 #include "adit/camera.hpp"
 #include "adit/finder.hpp"
 
-namespace adit {
+namespace ADIT_API adit {
 
 /// Every constant of the controller; unit, range and source of each field stand in visit_fields() (fields.hpp).
 struct HeadingConfig {

@@ -5,7 +5,9 @@
 #include <cstdint>
 #include <string_view>
 
-namespace adit {
+#include "adit/api.hpp"
+
+namespace ADIT_API adit {
 
 /// Smallest and largest side of a frame that the finder accepts, in pixels.
 inline constexpr int kSideMin_px = 16;

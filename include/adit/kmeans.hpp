@@ -5,7 +5,9 @@
 #include <array>
 #include <cstdint>
 
-namespace adit {
+#include "adit/api.hpp"
+
+namespace ADIT_API adit {
 
 /// Pixels per grey level.
 using Histogram = std::array<std::uint32_t, 256>;

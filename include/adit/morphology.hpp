@@ -4,9 +4,10 @@
 #include <memory>
 #include <vector>
 
+#include "adit/api.hpp"
 #include "adit/image.hpp"
 
-namespace adit {
+namespace ADIT_API adit {
 
 /// A flat structuring element: for each of its rows, a chord that is centred on the anchor.
 /// The anchor is the middle; both sides are odd, so there is one.

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "adit/api.hpp"
 #include "adit/clearance.hpp"
 #include "adit/column_range.hpp"
 #include "adit/finder.hpp"
@@ -14,7 +15,7 @@
 #include "adit/range_memory.hpp"
 #include "adit/tracker.hpp"
 
-namespace adit {
+namespace ADIT_API adit {
 
 /// All that a navigator is made with; each section has its own fields (fields.hpp) and its own section in YAML.
 struct NavigatorConfig {

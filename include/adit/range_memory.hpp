@@ -7,9 +7,10 @@
 #include <span>
 #include <string>
 
+#include "adit/api.hpp"
 #include "adit/column_range.hpp"
 
-namespace adit {
+namespace ADIT_API adit {
 
 /// Every constant of the memory; unit, range and source of each field stand in visit_fields() (fields.hpp).
 struct RangeMemoryConfig {

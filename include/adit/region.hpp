@@ -4,11 +4,12 @@
 #include <cstdint>
 #include <vector>
 
+#include "adit/api.hpp"
 #include "adit/camera.hpp"
 #include "adit/image.hpp"
 #include "adit/kmeans.hpp"
 
-namespace adit {
+namespace ADIT_API adit {
 
 /// Pixels per grey level of a plane.
 [[nodiscard]] Histogram histogram_of(ConstPlaneView plane) noexcept;

@@ -6,9 +6,10 @@
 
 #include <array>
 
+#include "adit/api.hpp"
 #include "adit/image.hpp"
 
-namespace adit {
+namespace ADIT_API adit {
 
 /// The scalar `a` of eq. (1), after He et al. (2011), section 4.4: the mean brightness, in grey levels, of the pixels
 /// whose dark channel is among the brightest `fraction` of the frame. Pixels that tie with the last of them are all

@@ -1,0 +1,21 @@
+#!/usr/bin/env bash
+# The Python module by pybind11: built, tested by pytest where it was built and again where it was installed.
+. "$(dirname "${BASH_SOURCE[0]}")/prelude.sh"
+
+# Debian's interpreter: the one its numpy and pytest belong to.
+python=/usr/bin/python3
+quietly python-configure cmake --preset python -DADIT_WERROR=ON -DPython3_EXECUTABLE=$python
+quietly python-build cmake --build build/python --target adit_python --parallel "$jobs"
+
+# A folder of the tests' own, as a user has it: no build folder beside it.
+pytest_with() {
+  local status=0 count=0 out
+  out=$(ADIT_SOURCE_FOLDER=$PWD PYTHONPATH=$1 $python -B -m pytest -q -p no:cacheprovider tests/python 2>&1) || status=$?
+  echo "$out" | tail -n 15
+  count=$(sed -n 's/^\([0-9]*\) passed.*/\1/p' <<< "$out" | tail -n 1)
+  tally "${count:-0}" $((status == 0 ? 0 : 1)) "$(grep -oE '[0-9]+ skipped' <<< "$out" | grep -oE '[0-9]+' || echo 0)"
+  return $status
+}
+pytest_with "$PWD/build/python/python"
+quietly python-install cmake --install build/python --component python --prefix "$PWD/build/python_staged"
+pytest_with "$PWD/build/python_staged/lib/python3/dist-packages"

@@ -24,7 +24,7 @@ struct Options {
   std::vector<std::string> methods;
   std::vector<std::string> tables;
   FinderOptions finder;
-  std::string csv, json, gallery;
+  std::string csv, json, gallery, report;
   EvalWork work;
   bool sequence = false;
   bool no_baselines = false;
@@ -52,6 +52,11 @@ void add_options(CLI::App& eval, Options& options) {
   eval.add_option("--json", options.json, "Figures and all answers as JSON")->type_name("FILE");
   eval.add_option("--gallery", options.gallery, "Every frame and answer: one NAME.html, or a folder")
       ->type_name("PATH");
+  eval.add_option("--report", options.report, "The same, always one page")
+      ->type_name("FILE.html")
+      ->check([](const std::string& path) {
+        return path.ends_with(".html") ? std::string() : "'" + path + "' does not end in .html";
+      });
   eval.add_option("--seed", options.work.bootstrap.seed, "Of intervals and random places (1)")->type_name("N");
   eval.add_option("--resamples", options.work.bootstrap.resamples, "Draws of places for the intervals (2000)")
       ->type_name("N")
@@ -109,7 +114,7 @@ ExitCode run(Options& options) {
   if (const auto camera = camera_of(options.finder)) work.camera = camera->model();
   work.contenders = contenders_of(options, configuration.finder);
   for (const std::string& path : options.sets) work.sets.push_back(read_eval_set(path, options.sequence));
-  work.pictures = !options.gallery.empty();
+  work.pictures = !options.gallery.empty() || !options.report.empty();
   const EvalResult result = evaluate(work);
   if (result.interrupted) {
     print_line("adit: interrupted; figures of a part would mislead, so none are written");
@@ -118,6 +123,7 @@ ExitCode run(Options& options) {
   if (!options.json.empty()) io::write_file(options.json, eval_json(work, result));
   if (!options.csv.empty() && options.csv != "-") io::write_file(options.csv, eval_csv(work, result));
   if (!options.gallery.empty()) write_gallery(options.gallery, work, result);
+  if (!options.report.empty()) write_gallery(options.report, work, result);
   const std::string text = options.csv == "-" ? eval_csv(work, result) : eval_text(work, result);
   io::OutputFile out("-");
   out.write(text);

@@ -11,8 +11,16 @@
 namespace adit::tools {
 namespace {
 
-/// Reads one row and moves on; false at the end of the text.
-bool next_row(const std::string& text, std::size_t& at, int& line, std::vector<std::string>& cells) {
+std::string read(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file || std::filesystem::is_directory(path))
+    throw io::InputError(path.string() + ": this table cannot be read; is it there?");
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+}  // namespace
+
+bool next_csv_row(const std::string& text, std::size_t& at, int& line, std::vector<std::string>& cells) {
   cells.clear();
   if (at >= text.size()) return false;
   std::string cell;
@@ -44,23 +52,14 @@ bool next_row(const std::string& text, std::size_t& at, int& line, std::vector<s
   return true;
 }
 
-std::string read(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file || std::filesystem::is_directory(path))
-    throw io::InputError(path.string() + ": this table cannot be read; is it there?");
-  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-}
-
-}  // namespace
-
 CsvTable::CsvTable(const std::filesystem::path& path) : name_(path.string()) {
   std::string text = read(path);
   if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
   std::size_t at = 0;
   int line = 1;
-  next_row(text, at, line, header_);
+  next_csv_row(text, at, line, header_);
   Row row;
-  for (row.line = line; next_row(text, at, line, row.cells); row.line = line) {
+  for (row.line = line; next_csv_row(text, at, line, row.cells); row.line = line) {
     if (row.cells.size() == 1 && row.cells[0].empty()) continue;
     if (row.cells.size() != header_.size())
       throw io::InputError(name_ + ":" + std::to_string(row.line) + ": " + std::to_string(row.cells.size()) +

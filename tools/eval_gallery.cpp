@@ -8,6 +8,7 @@
 
 #include "adit/io/errors.hpp"
 #include "adit/io/output_file.hpp"
+#include "base64.hpp"
 #include "eval_report.hpp"
 #include "pages.hpp"
 
@@ -15,17 +16,6 @@ namespace adit::tools {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string base64_of(const std::vector<unsigned char>& bytes) {
-  constexpr const char* kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    unsigned triple = 0;
-    for (std::size_t k = 0; k < 3; ++k) triple = triple << 8 | (i + k < bytes.size() ? bytes[i + k] : 0u);
-    for (std::size_t k = 0; k < 4; ++k) text += i + k > bytes.size() ? '=' : kDigits[triple >> (18 - 6 * k) & 63];
-  }
-  return text;
-}
 
 /// Which answer a person looks at first: of the last method asked for.
 std::size_t chief_row(const SetResult& set) {
@@ -70,7 +60,7 @@ std::string cards_of(const EvalWork& work, const EvalResult& result, const fs::p
       if (!judged.readable) continue;
       std::string picture = "data:image/jpeg;base64,";
       if (thumbs.empty()) {
-        picture += base64_of(judged.thumbnail);
+        picture += base64_of(judged.thumbnail.data(), judged.thumbnail.size());
       } else {
         const std::string name = fmt::format("{:02}_{:05}.jpg", s, f);
         io::write_file(thumbs / name,

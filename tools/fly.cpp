@@ -65,10 +65,11 @@ void add_flight_options(CLI::App& fly, Options& options) {
       ->allow_extra_args(false);
 }
 
-/// The page holds 30 lines: --still, --sensors, --jobs and --quiet stand in the manual alone.
+/// The page holds 30 lines: --still, --sensors, --seeds, --jobs and --quiet stand in the manual alone.
 void add_work_options(CLI::App& fly, Options& options) {
   fly.add_option("--out", options.work.out, "Folder for flight.csv, summary.json, map.png, figures")->type_name("DIR");
   fly.add_flag("--video", options.work.film, "Also the film, with overlay: flight.mp4");
+  fly.add_option("--report", options.work.report, "The flight as one page for the browser")->type_name("FILE.html");
   fly.add_option("--still", options.work.stills_s, "Also the picture at this time, repeatable")
       ->type_name("S")
       ->allow_extra_args(false)
@@ -78,7 +79,7 @@ void add_work_options(CLI::App& fly, Options& options) {
   fly.add_option("--runs", options.runs, "Fly with so many seeds; a table and the success rate")
       ->type_name("N")
       ->check(CLI::Range(1, 100000));
-  fly.add_option("--seeds", options.seeds, "The same with these seeds")->type_name("A..B");
+  fly.add_option("--seeds", options.seeds, "The same with these seeds")->type_name("A..B")->group("");
   fly.add_option("--jobs", options.work.jobs, "Flights at once (all cores)")
       ->type_name("N")
       ->check(CLI::Range(1, 256))
@@ -94,6 +95,8 @@ ExitCode run(Options& options) {
   options.work.seeds = seeds_of(options);
   options.work.name =
       std::filesystem::path(options.fly.course.empty() ? options.fly.world_file : options.fly.course).stem().string();
+  if (!options.work.report.empty() && (options.runs > 0 || !options.seeds.empty()))
+    throw CLI::ValidationError("--report", "is for one flight; of many, give --out and report each seed's folder");
   watch_signals();
   const FlySettings settings = fly_settings_of(options.fly);
   const Site site = site_of(options.fly, settings);

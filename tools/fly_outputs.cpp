@@ -19,12 +19,6 @@ constexpr double kDegree = 180.0 / std::numbers::pi;
 
 double angle_deg(double rad) { return rad * kDegree; }
 
-cv::Mat mat_of(const ImageView& view) {
-  const int type = view.format == PixelFormat::kGrey8 ? CV_8UC1 : CV_8UC3;
-  return {view.height, view.width, type, const_cast<std::uint8_t*>(view.data),
-          static_cast<std::size_t>(view.stride_bytes)};
-}
-
 nlohmann::ordered_json number(double value) {
   if (!std::isfinite(value)) return nullptr;
   return std::round(value * 1e6) / 1e6;
@@ -66,6 +60,12 @@ std::filesystem::path made(const std::filesystem::path& folder) {
 }
 
 }  // namespace
+
+cv::Mat mat_of(const ImageView& view) {
+  const int type = view.format == PixelFormat::kGrey8 ? CV_8UC1 : CV_8UC3;
+  return {view.height, view.width, type, const_cast<std::uint8_t*>(view.data),
+          static_cast<std::size_t>(view.stride_bytes)};
+}
 
 std::string flight_csv_header() {
   return "frame,stamp_s,x_m,y_m,z_m,roll_deg,pitch_deg,yaw_deg,vx_m_s,vy_m_s,vz_m_s,height_m,delivery,status,"

@@ -16,6 +16,7 @@
 #include "fly_outputs.hpp"
 #include "interrupt.hpp"
 #include "progress.hpp"
+#include "report_flight.hpp"
 #include "worker_pool.hpp"
 
 namespace adit::tools {
@@ -195,6 +196,12 @@ sim::FlightSettings seeded(const FlySettings& settings, std::uint64_t seed) {
   return flight;
 }
 
+/// What flies, for the report and for those who want to fly it again.
+ReportOrigin made_by(const FlySettings& settings) {
+  FlySettings now = settings, usual;
+  return origin_now(sections_of(now).to_yaml(), sections_of(usual).to_yaml());
+}
+
 /// What the constructors refuse is a fault of the settings.
 template <class Work>
 auto with_config_faults(const Work& work) {
@@ -214,20 +221,26 @@ ExitCode fly_once(const FlyWork& work, const FlySettings& settings, const Site& 
     flight.record_sensors(work.sensors);
     std::optional<FlyOutputs> outputs;
     if (!work.out.empty()) outputs.emplace(work.out, flight, work.film, work.sensors, work.stills_s);
+    const ReportOrigin origin = made_by(settings);
+    std::optional<FlightReport> report;
+    if (!work.report.empty()) report.emplace(flight, origin);
     const auto frames =
         static_cast<std::int64_t>(std::ceil(settings.flight.flight.time_max_s * settings.flight.flight.camera_rate_hz));
     Progress progress(frames, "frames", work.quiet);
     const Flown flown = fly(work, settings, flight, [&] {
       if (outputs) outputs->add(flight);
+      if (report) report->add(flight);
       progress.show(flight.row().frame + 1);
     });
     progress.clear();
     if (outputs) {
       outputs->commit(flight, summary_json(flown.summary, flown.context));
+      write_origin(work.out, origin);
       if (flown.summary.frames > 1)
         if (const auto why = draw_figures(work.out, {title_of(flown)}, flight.map().picture()); !why.empty())
           print_line("adit: no figures: " + why);
     }
+    if (report) report->write(work.report, flight, title_of(flown), summary_json(flown.summary, flown.context));
     if (!work.quiet) print_flight(flown);
     return flown.context.interrupted ? kInterrupted : kSuccess;
   });

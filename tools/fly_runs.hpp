@@ -16,6 +16,7 @@ struct FlyWork {
   std::string out;  ///< folder; "" for none
   bool film = false;
   bool sensors = false;
+  std::string report;  ///< page; "" for none
   bool quiet = false;
   std::vector<double> stills_s;
   std::vector<std::uint64_t> seeds;

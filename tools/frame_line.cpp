@@ -52,6 +52,7 @@ void FrameLine::push(io::Frame frame) {
   auto work = std::make_shared<FrameWork>();
   work->frame = std::move(frame);
   work->number = pushed_++;
+  work->wants_shot = settings_.wants_shot && settings_.wants_shot(work->number);
   // Not a share in the work: it keeps its task's outcome, and the two would keep each other for ever when a run ends
   // early.
   work->done = pool_.submit([this, at = work.get()](int worker) { judge(*at, worker); });
@@ -71,7 +72,7 @@ void FrameLine::judge(FrameWork& work, int worker) {
   }
   const ImageView view = io::view_of(work.frame.pixels);
   OpenSpaceFinder& finder = finders_[static_cast<std::size_t>(worker)];
-  work.open_space = settings_.wants_panel ? finder.explain(view, work.stages) : finder.find(view);
+  work.open_space = settings_.wants_panel || work.wants_shot ? finder.explain(view, work.stages) : finder.find(view);
   work.why = why_not_judged(work, settings_.camera);
   work.doubt = grey16_doubt(work.frame.pixels, settings_.configuration.finder.grey16_depth_bits);
 }
@@ -92,7 +93,7 @@ void FrameLine::pop_judged() {
   work->done.get();
   steer(*work);
   on_judged_(*work);
-  if (!work->open_space || !(settings_.wants_panel || settings_.wants_png)) return;
+  if (!work->open_space || !(settings_.wants_panel || settings_.wants_png || work->wants_shot)) return;
   while (drawing_.size() >= room_) pop_drawn();
   work->done = pool_.submit([this, at = work.get()](int) { draw(*at); });
   drawing_.push_back(work);
@@ -100,6 +101,8 @@ void FrameLine::pop_judged() {
 
 void FrameLine::draw(FrameWork& work) const {
   const int depth_bits = settings_.configuration.finder.grey16_depth_bits;
+  if (work.wants_shot)
+    work.shot = shot_of(work.frame.pixels, *work.open_space, work.stages, settings_.configuration.finder);
   if (settings_.wants_panel) {
     const cv::Mat frame = io::bgr_of(work.frame.pixels, depth_bits);
     work.panel = io::side_by_side(frame, *work.open_space, work.stages, work.command);

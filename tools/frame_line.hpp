@@ -15,6 +15,7 @@
 #include "adit/heading.hpp"
 #include "adit/io/configuration.hpp"
 #include "adit/io/frame_source.hpp"
+#include "report_pictures.hpp"
 #include "worker_pool.hpp"
 
 namespace adit::tools {
@@ -30,6 +31,8 @@ struct FrameWork {
   std::optional<HeadingCommand> command;
   cv::Mat panel;                   ///< frame and depth map, if a video is wanted
   std::vector<unsigned char> png;  ///< the frame with its overlay, encoded, if frames are wanted
+  bool wants_shot = false;
+  std::optional<ReportShot> shot;  ///< for a report, if it wants this frame
   std::future<void> done;
 };
 
@@ -39,6 +42,7 @@ struct LineSettings {
   int jobs = 1;
   bool wants_panel = false;
   bool wants_png = false;
+  std::function<bool(std::int64_t)> wants_shot;  ///< of the frame with this number; asked on the caller's thread
 };
 
 class FrameLine {

@@ -53,6 +53,7 @@ ExitCode run(int argc, char** argv) {
   ExitCode exit_code = adit::tools::kSuccess;
   adit::tools::add_run(app, exit_code);
   adit::tools::add_explain(app, exit_code);
+  adit::tools::add_report(app, exit_code);
   adit::tools::add_eval(app, exit_code);
 #ifdef ADIT_WITH_MARK
   adit::tools::add_mark(app, exit_code);

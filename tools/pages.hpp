@@ -8,6 +8,14 @@ namespace adit::tools {
 
 /// Of `adit eval --gallery`; @SUMMARY@, @DIAGRAMS@, @METHODS@, @SETS@ and @CARDS@ are to be filled in.
 [[nodiscard]] std::string_view gallery_page();
+/// Of `adit report`; @TITLE@, @CSS@, @JS@, @UPLOT_CSS@, @UPLOT_JS@ and @REPORT@ are to be filled in.
+[[nodiscard]] std::string_view report_page();
+[[nodiscard]] std::string_view report_js();
+/// How the pages of `adit report` and `adit view` look.
+[[nodiscard]] std::string_view look_css();
+/// third_party/uPlot.
+[[nodiscard]] std::string_view uplot_js();
+[[nodiscard]] std::string_view uplot_css();
 /// Of `adit mark`.
 [[nodiscard]] std::string_view mark_page();
 

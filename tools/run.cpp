@@ -12,6 +12,7 @@
 #include "frame_line.hpp"
 #include "interrupt.hpp"
 #include "progress.hpp"
+#include "report_run.hpp"
 #include "run_outputs.hpp"
 #include "subcommands.hpp"
 #include "tally.hpp"
@@ -43,8 +44,9 @@ std::optional<std::int64_t> total_of(const Sources& sources, std::int64_t limit)
 }
 
 bool table_on_terminal(const OutputOptions& outputs) {
-  const bool on_stdout = outputs.csv == "-" || outputs.jsonl == "-" ||
-                         (outputs.csv.empty() && outputs.jsonl.empty() && !outputs.wants_pictures());
+  const bool on_stdout =
+      outputs.csv == "-" || outputs.jsonl == "-" ||
+      (outputs.csv.empty() && outputs.jsonl.empty() && outputs.report.empty() && !outputs.wants_pictures());
   return on_stdout && ::isatty(STDOUT_FILENO) == 1;
 }
 
@@ -58,6 +60,7 @@ class Run {
         total_(total_of(sources_, options.limit)),
         outputs_(options.outputs, sources_.front()->rate_hz()),
         progress_(total_, "frames", options.quiet || table_on_terminal(options.outputs)),
+        report_(report_of(options, settings_)),
         line_(
             settings_, [this](FrameWork& work) { take_judged(work); }, [this](FrameWork& work) { take_drawn(work); }) {}
 
@@ -72,8 +75,20 @@ class Run {
 
  private:
   LineSettings line_settings() const {
-    return {configuration_of(options_.finder), camera_of(options_.finder), options_.jobs,
-            !options_.outputs.video.empty(), !options_.outputs.frames_folder.empty()};
+    return {configuration_of(options_.finder),
+            camera_of(options_.finder),
+            options_.jobs,
+            !options_.outputs.video.empty(),
+            !options_.outputs.frames_folder.empty(),
+            {}};
+  }
+
+  /// None when none is asked for. Tells the line which frames it wants pictures of.
+  static std::unique_ptr<RunReport> report_of(const RunOptions& options, LineSettings& settings) {
+    if (options.outputs.report.empty()) return nullptr;
+    auto report = std::make_unique<RunReport>(options.inputs, settings.configuration);
+    settings.wants_shot = [wanted = report.get()](std::int64_t row) { return wanted->wants(row); };
+    return report;
   }
 
   /// False when the run is to end.
@@ -110,21 +125,24 @@ class Run {
       progress_.say("adit: " + work.why);
     }
     if (tally_.judged() > 0) outputs_.release();
-    outputs_.write_row(
-        {work.frame.source, work.frame.index, work.frame.stamp_s, work.open_space, work.command, work.why});
+    const io::TableRow row{work.frame.source, work.frame.index, work.frame.stamp_s,
+                           work.open_space,   work.command,     work.why};
+    outputs_.write_row(row);
+    if (report_) report_->add_row(row);
     progress_.show(tally_.frames());
   }
 
   void take_drawn(FrameWork& work) {
     if (!work.png.empty()) outputs_.write_frame(work.number, work.frame.source, work.png);
     if (!work.panel.empty()) outputs_.write_video(work.panel);
+    if (work.shot) report_->add_shot(work.number, work.frame.pixels.size(), std::move(*work.shot));
   }
 
   ExitCode end() {
     const bool interrupted = is_interrupted();
     const ExitCode code = tally_.exit_code();
     // A run that judged nothing leaves nothing behind; why has been said.
-    if (interrupted || tally_.judged() > 0) outputs_.commit();
+    if (interrupted || tally_.judged() > 0) leave_outputs();
     if (!options_.quiet && tally_.frames() > 1) print_summary();
     if (interrupted) {
       print_line("adit: interrupted after " + std::to_string(tally_.frames()) +
@@ -132,6 +150,13 @@ class Run {
       return kInterrupted;
     }
     return code == kSuccess && !early_ends_.empty() ? kSomeUnreadable : code;
+  }
+
+  void leave_outputs() {
+    outputs_.commit();
+    const OutputOptions& wanted = options_.outputs;
+    if (!wanted.folder.empty()) write_run_origin(wanted.folder, settings_.configuration, options_.finder.camera_file);
+    if (report_) report_->write(wanted.report);
   }
 
   void print_summary() const {
@@ -153,6 +178,7 @@ class Run {
   std::int64_t pushed_ = 0;
   bool mismatch_told_ = false;
   bool doubt_told_ = false;
+  std::unique_ptr<RunReport> report_;
   FrameLine line_;  ///< last: it calls back into the others
 };
 
@@ -165,6 +191,9 @@ void add_options(CLI::App& run, RunOptions& options) {
   run.add_option("--video", options.outputs.video, "Frame and depth map side by side: .mp4, .mkv, .avi")
       ->type_name("FILE");
   run.add_option("--frames", options.outputs.frames_folder, "A PNG of each frame with its opening")->type_name("DIR");
+  run.add_option("--out", options.outputs.folder, "Folder for headings.csv and settings.yaml, as adit report takes it")
+      ->type_name("DIR");
+  run.add_option("--report", options.outputs.report, "The run as one page for the browser")->type_name("FILE.html");
   add_finder_options(run, options.finder);
   run.add_option("--fps", options.sources.images_hz, "Frames a second of images: their stamps (30)")
       ->type_name("HZ")
@@ -189,6 +218,7 @@ void add_run(CLI::App& app, ExitCode& exit_code) {
   add_options(*run, *options);
   run->footer("Example: adit run data/clip.avi --csv headings.csv --video headings.mp4");
   run->callback([options, &exit_code] {
+    make_run_folder(options->outputs);
     check_outputs(options->outputs, options->inputs);
     watch_signals();
     exit_code = Run(*options)();

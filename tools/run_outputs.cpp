@@ -26,11 +26,18 @@ bool is_regular(const std::string& path) {
 
 }  // namespace
 
+void make_run_folder(OutputOptions& options) {
+  if (options.folder.empty()) return;
+  io::make_folder(options.folder);
+  if (options.csv.empty()) options.csv = (fs::path(options.folder) / "headings.csv").string();
+}
+
 void check_outputs(const OutputOptions& options, const std::vector<std::string>& inputs) {
   const std::vector<std::pair<const char*, const std::string*>> outputs{{"--csv", &options.csv},
                                                                         {"--jsonl", &options.jsonl},
                                                                         {"--video", &options.video},
-                                                                        {"--frames", &options.frames_folder}};
+                                                                        {"--frames", &options.frames_folder},
+                                                                        {"--report", &options.report}};
   if (options.csv == "-" && options.jsonl == "-") {
     throw CLI::ValidationError("--jsonl", "standard output is taken by --csv");
   }
@@ -50,7 +57,8 @@ void check_outputs(const OutputOptions& options, const std::vector<std::string>&
 }
 
 RunOutputs::RunOutputs(const OutputOptions& options, double video_rate_hz) : options_(options) {
-  const bool nothing_asked = options.csv.empty() && options.jsonl.empty() && !options.wants_pictures();
+  const bool nothing_asked =
+      options.csv.empty() && options.jsonl.empty() && !options.wants_pictures() && options.report.empty();
   if (!options.csv.empty() || nothing_asked) {
     tables_.push_back({io::OutputFile(nothing_asked ? "-" : options.csv), false, io::csv_header(options.timing)});
   }

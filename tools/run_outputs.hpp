@@ -16,10 +16,16 @@ struct OutputOptions {
   std::string jsonl;
   std::string video;
   std::string frames_folder;
+  std::string folder;  ///< for headings.csv, settings.yaml, made_by.json
+  std::string report;
   bool timing = false;
 
   [[nodiscard]] bool wants_pictures() const { return !video.empty() || !frames_folder.empty(); }
 };
+
+/// Makes `folder`, if one is asked for, and puts the table there unless it has a place of its own.
+/// @throws io::OutputError
+void make_run_folder(OutputOptions& options);
 
 /// Refuses outputs that would overwrite each other or an input. @throws CLI::ValidationError
 void check_outputs(const OutputOptions& options, const std::vector<std::string>& inputs);

@@ -11,6 +11,7 @@ namespace adit::tools {
 // io::ConfigError or io::OutputError, which main() prints as one line and turns into an exit code.
 void add_run(CLI::App& app, ExitCode& exit_code);
 void add_explain(CLI::App& app, ExitCode& exit_code);
+void add_report(CLI::App& app, ExitCode& exit_code);
 void add_eval(CLI::App& app, ExitCode& exit_code);
 void add_mark(CLI::App& app, ExitCode& exit_code);  ///< only where cpp-httplib is there
 void add_bench(CLI::App& app, ExitCode& exit_code);

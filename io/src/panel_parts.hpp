@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "adit/io/panel.hpp"
+#include "adit/io/stage_tiles.hpp"
 #include "lettering.hpp"
 
 namespace adit::io {
@@ -19,17 +20,6 @@ inline const cv::Scalar kEmpty(58, 52, 48);
 inline const cv::Scalar kGood(110, 190, 80);
 inline const cv::Scalar kBad(60, 80, 225);
 inline const cv::Scalar kCircle(40, 40, 255);
-
-/// One stage of Fig. 1: a picture (empty if the stage was not reached) and its captions.
-struct StageTile {
-  cv::Mat picture;
-  std::string name;
-  std::string equation;
-  std::string note;
-};
-
-/// The frame and the stages, in order.
-[[nodiscard]] std::vector<StageTile> stage_tiles(const PanelSubject& subject);
 
 /// The colour of a cluster: 0, the darkest, is red; the others go from violet to yellow.
 [[nodiscard]] cv::Scalar colour_of_cluster(int cluster, int cluster_count);

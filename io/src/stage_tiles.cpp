@@ -49,8 +49,8 @@ cv::Mat depth_picture(const StageImages& stages) {
 
 cv::Mat cluster_picture(const cv::Mat& clusters, int count) {
   if (clusters.empty() || count < 1) return {};
-  cv::Mat colours(1, 256, CV_8UC3);
-  for (int i = 0; i < 256; ++i) {
+  cv::Mat colours = cv::Mat::zeros(1, 256, CV_8UC3);
+  for (int i = 0; i < count; ++i) {  // a colour costs a whole colour map
     const cv::Scalar colour = colour_of_cluster(i, count);
     colours.at<cv::Vec3b>(0, i) =
         cv::Vec3b(cv::saturate_cast<std::uint8_t>(colour[0]), cv::saturate_cast<std::uint8_t>(colour[1]),

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "adit/node/settings.hpp"
 #include "text.hpp"
 
 namespace adit::node {
@@ -18,13 +19,20 @@ const ControlConfig& checked(const ControlConfig& config) {
 
 Control::Control(const ControlConfig& config)
     : config_(checked(config)),
+      wanted_(config),
       watchdog_(config),
       image_stamps_(config.hover_after_s),
       heading_stamps_(config.hover_after_s) {}
 
 void Control::configure(const ControlConfig& config) {
-  config_ = checked(config);
+  config_ = wanted_ = checked(config);
   watchdog_.configure(config_);
+}
+
+std::vector<Parameter> Control::parameters() const { return parameters_of(wanted_); }
+
+std::string Control::set(const std::string& name, const ParameterValue& value) {
+  return set_parameter(wanted_, name, value);
 }
 
 void Control::take(const OpenSpaceNews& news, Time_ns now_ns) noexcept {
@@ -66,13 +74,19 @@ VelocityCommand Control::hover(Time_ns now_ns) noexcept {
   return {now_ns, 0.0, 0.0, true};
 }
 
+std::string Control::alarm_text(Time_ns now_ns) {
+  const WatchdogState state = watchdog_.check(now_ns);
+  if (state.watch == Watch::kFresh) return "following";
+  const std::string why(to_string(state.alarm));
+  return state.alarm == Alarm::kNoOpening ? why + " (" + std::string(to_string(last_status_)) + ")" : why;
+}
+
 Diagnosis Control::diagnosis(Time_ns now_ns) {
   const WatchdogState state = watchdog_.check(now_ns);
   Diagnosis d;
   d.message = "following";
   if (state.watch != Watch::kFresh) {
-    const std::string why = "hover for " + text_of(state.for_s, 1) + " s: " + std::string(to_string(state.alarm)) +
-                            (state.alarm == Alarm::kNoOpening ? " (" + std::string(to_string(last_status_)) + ")" : "");
+    const std::string why = "hover for " + text_of(state.for_s, 1) + " s: " + alarm_text(now_ns);
     d.worsen(state.watch == Watch::kError ? Level::kError : Level::kWarn, why);
   }
   d.add("alarm", std::string(to_string(state.alarm)));

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "adit/node/settings.hpp"
+
 namespace adit::node {
 namespace {
 
@@ -75,24 +77,44 @@ struct Perception::Chain {
   std::optional<HeadingController> controller;
 };
 
-Perception::Perception(const PerceptionSettings& settings) { configure(settings); }
+struct Perception::Parts {
+  PerceptionSettings settings, wanted;
+  std::unique_ptr<Chain> chain;
+  std::unique_ptr<OpenSpaceFinder> explainer;
+};
+
+Perception::Perception() : Perception(PerceptionSettings{}) {}
+
+Perception::Perception(const PerceptionSettings& settings) : parts_(std::make_unique<Parts>()) { configure(settings); }
 
 Perception::~Perception() = default;
+
+const PerceptionSettings& Perception::settings() const noexcept { return parts_->settings; }
+const FinderConfig& Perception::finder_config() const noexcept { return parts_->settings.navigator.finder; }
 
 void Perception::configure(const PerceptionSettings& settings) {
   if (const auto fault = fault_of(settings.node)) throw std::invalid_argument(*fault);
   // Checked by the constructors; what they refuse leaves all as it was.
   auto chain = std::make_unique<Chain>(settings, camera_);
-  if (settings.node.stamp_jump_s != settings_.node.stamp_jump_s || !chain_)
+  const bool is_first = !parts_->chain;
+  if (is_first || settings.node.stamp_jump_s != parts_->settings.node.stamp_jump_s)
     stamps_ = StampCheck(settings.node.stamp_jump_s);
-  settings_ = settings;
-  chain_ = std::move(chain);
-  explainer_.reset();
+  parts_->settings = parts_->wanted = settings;
+  parts_->chain = std::move(chain);
+  parts_->explainer.reset();
 }
 
+std::vector<Parameter> Perception::parameters() const { return parameters_of(parts_->wanted); }
+
+std::string Perception::set(const std::string& name, const ParameterValue& value) {
+  return set_parameter(parts_->wanted, name, value);
+}
+
+void Perception::apply() { configure(PerceptionSettings(parts_->wanted)); }
+
 void Perception::rebuild() {
-  chain_ = std::make_unique<Chain>(settings_, camera_);
-  explainer_.reset();
+  parts_->chain = std::make_unique<Chain>(parts_->settings, camera_);
+  parts_->explainer.reset();
 }
 
 void Perception::take(const CameraInfoMessage& message) {
@@ -120,7 +142,7 @@ double Perception::stamp_s(Time_ns stamp_ns) noexcept {
 void Perception::watch_size(const ImageView& view) noexcept {
   if (width_ != 0 && (view.width != width_ || view.height != height_)) {
     ++size_changes_;
-    chain_->reset();  // what was seen in pixels of another size is no guide
+    parts_->chain->reset();  // what was seen in pixels of another size is no guide
   }
   width_ = view.width;
   height_ = view.height;
@@ -141,7 +163,7 @@ ImageAnswer Perception::take(const ImageMessage& message, Time_ns now_ns) {
     last_fault_ = "stamp: " + std::string(to_string(verdict)) + ": the image is not used";
     return {std::nullopt, last_fault_};
   }
-  if (verdict == StampVerdict::kRestarted) chain_->reset();
+  if (verdict == StampVerdict::kRestarted) parts_->chain->reset();
   watch_size(reading.view);
   Sighting sighting;
   sighting.stamp_ns = verdict == StampVerdict::kMissing ? now_ns : message.stamp_ns;
@@ -149,7 +171,7 @@ ImageAnswer Perception::take(const ImageMessage& message, Time_ns now_ns) {
   motion.speed_m_s = commanded_m_s_;
   if (yaw_rate_rad_s_ && std::abs(seconds_of(sighting.stamp_ns - yaw_rate_ns_)) < kYawRateFresh_s)
     motion.yaw_rate_rad_s = yaw_rate_rad_s_;
-  chain_->see(reading.view, stamp_s(sighting.stamp_ns), motion, sighting);
+  parts_->chain->see(reading.view, stamp_s(sighting.stamp_ns), motion, sighting);
   commanded_m_s_ = sighting.forward_m_s;
   last_status_ = sighting.open_space.status;
   last_flags_ = sighting.open_space.flags;
@@ -166,9 +188,9 @@ ImageAnswer Perception::take(const ImageMessage& message, Time_ns now_ns) {
 std::optional<StageImages> Perception::explain(const ImageMessage& message) {
   const ImageReading reading = view_of(message);
   if (reading.view.data == nullptr) return std::nullopt;
-  if (!explainer_) explainer_ = std::make_unique<OpenSpaceFinder>(finder_of(settings_.navigator.finder, camera_));
+  if (!parts_->explainer) parts_->explainer = std::make_unique<OpenSpaceFinder>(finder_of(finder_config(), camera_));
   StageImages stages;
-  const Status status = explainer_->explain(reading.view, stages).status;
+  const Status status = parts_->explainer->explain(reading.view, stages).status;
   if (status == Status::kBadFrame || status == Status::kWrongSize) return std::nullopt;
   return stages;
 }

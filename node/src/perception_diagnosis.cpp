@@ -43,7 +43,7 @@ void Perception::diagnose_camera(Diagnosis& d) const {
   if (!camera_fault_.empty()) d.worsen(Level::kWarn, "camera_info: " + camera_fault_);
   if (!camera_ && camera_fault_.empty())
     d.worsen(Level::kWarn, std::string(camera_infos_ > 0 ? "the camera is not calibrated" : "no camera_info has come") +
-                               "; the lens is taken for " + text_of(settings_.navigator.finder.assumed_hfov_deg, 0) +
+                               "; the lens is taken for " + text_of(finder_config().assumed_hfov_deg, 0) +
                                " deg wide (assumed_hfov_deg)");
 }
 
@@ -54,7 +54,7 @@ Diagnosis Perception::diagnosis(Time_ns now_ns) const {
   diagnose_camera(d);
   d.add("status", std::string(to_string(last_status_)));
   d.add("flags", flags_text(last_flags_));
-  d.add("method", std::string(to_string(settings_.navigator.finder.method)));
+  d.add("method", std::string(to_string(finder_config().method)));
   d.add("images", std::to_string(images_));
   d.add("images unusable", std::to_string(unusable_images_));
   d.add("encodings unknown", std::to_string(unknown_encodings_));

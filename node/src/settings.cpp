@@ -81,7 +81,8 @@ std::vector<Parameter> listed(const Settings& settings) {
   visit_sections(settings, [&](const char* section, const auto& object) {
     visit_fields(object, [&](const FieldNote& note, const auto& member) {
       using Member = std::remove_cvref_t<decltype(member)>;
-      Parameter parameter{section, note.name, value_of(member), note, {}};
+      Parameter parameter{section,      note.name, value_of(member), note.unit,   note.minimum,
+                          note.maximum, note.odd,  note.meaning,     note.source, {}};
       if constexpr (std::is_enum_v<Member>) parameter.choices = choices_of<Member>(note);
       parameters.push_back(std::move(parameter));
     });

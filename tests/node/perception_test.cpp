@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 
+#include "adit/node/settings.hpp"
 #include "frames.hpp"
 
 namespace adit::node {

@@ -3,9 +3,12 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "adit/node/diagnosis.hpp"
 #include "adit/node/latency.hpp"
+#include "adit/node/parameters.hpp"
 #include "adit/node/stamp_check.hpp"
 #include "adit/node/velocity.hpp"
 #include "adit/node/watchdog.hpp"
@@ -36,6 +39,10 @@ class Control {
   [[nodiscard]] const ControlConfig& config() const noexcept { return config_; }
   /// Keeps what it knows of the stream. @throws as the constructor; then nothing is changed.
   void configure(const ControlConfig& config);
+  /// The same by name: set() all that is to change, then apply(). See Perception.
+  [[nodiscard]] std::vector<Parameter> parameters() const;
+  [[nodiscard]] std::string set(const std::string& name, const ParameterValue& value);
+  void apply() { configure(wanted_); }
 
   void take(const OpenSpaceNews& news, Time_ns now_ns) noexcept;
   /// The command for the vehicle: hover when the watchdog says so; nothing when the heading is no news.
@@ -48,11 +55,13 @@ class Control {
   [[nodiscard]] std::int64_t refused_headings() const noexcept { return refused_headings_; }
   [[nodiscard]] std::int64_t hover_count() const noexcept { return hover_count_; }
   [[nodiscard]] Diagnosis diagnosis(Time_ns now_ns);
+  /// "following", or why it hovers.
+  [[nodiscard]] std::string alarm_text(Time_ns now_ns);
 
  private:
   [[nodiscard]] VelocityCommand hover(Time_ns now_ns) noexcept;
 
-  ControlConfig config_;
+  ControlConfig config_, wanted_;
   Watchdog watchdog_;
   StampCheck image_stamps_, heading_stamps_;
   LatencyMeter latency_;

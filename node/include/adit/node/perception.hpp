@@ -5,16 +5,24 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "adit/finder.hpp"
+#include "adit/heading.hpp"
 #include "adit/node/camera_info.hpp"
 #include "adit/node/diagnosis.hpp"
 #include "adit/node/image_message.hpp"
 #include "adit/node/latency.hpp"
-#include "adit/node/settings.hpp"
+#include "adit/node/parameters.hpp"
 #include "adit/node/stamp_check.hpp"
 
+namespace adit {
+enum class Manoeuvre : std::uint8_t;  // navigator.hpp
+}
+
 namespace adit::node {
+
+struct PerceptionSettings;  // settings.hpp
 
 /// What one image showed, and what to do about it. Plain numbers: copying it allocates nothing.
 struct Sighting {
@@ -22,7 +30,7 @@ struct Sighting {
   OpenSpace open_space;    ///< its status with what only a sequence shows
   HeadingCommand heading;  ///< yaw rate positive to the left
   double forward_m_s = 0.0;
-  Manoeuvre manoeuvre = Manoeuvre::kWait;
+  Manoeuvre manoeuvre{};  ///< kWait unless said
 };
 
 /// What came of an image.
@@ -34,13 +42,21 @@ struct ImageAnswer {
 /// Not thread-safe: one call at a time.
 class Perception {
  public:
+  Perception();
   /// @throws std::invalid_argument naming the field, the value and the range.
-  explicit Perception(const PerceptionSettings& settings = {});
+  explicit Perception(const PerceptionSettings& settings);
   ~Perception();
 
-  [[nodiscard]] const PerceptionSettings& settings() const noexcept { return settings_; }
+  [[nodiscard]] const PerceptionSettings& settings() const noexcept;
+  [[nodiscard]] const FinderConfig& finder_config() const noexcept;
   /// Steering starts afresh. @throws as the constructor; then nothing is changed.
   void configure(const PerceptionSettings& settings);
+  /// The same by name, as parameter servers do it. What set() takes is in force after apply().
+  [[nodiscard]] std::vector<Parameter> parameters() const;
+  /// A whole number is taken for a double, and a double without a fraction for a whole number.
+  /// @return why it is refused, naming the parameter, the value and the range; "" when it is taken.
+  [[nodiscard]] std::string set(const std::string& name, const ParameterValue& value);
+  void apply();
 
   /// Takes a calibration; the same again and again costs nothing. What is wrong with it is kept for diagnosis().
   void take(const CameraInfoMessage& message);
@@ -64,18 +80,17 @@ class Perception {
 
  private:
   struct Chain;  ///< finder, frame watch and controller, or the navigator
+  struct Parts;
   void rebuild();
   [[nodiscard]] double stamp_s(Time_ns stamp_ns) noexcept;
   void watch_size(const ImageView& view) noexcept;
   void diagnose_camera(Diagnosis& diagnosis) const;
   void diagnose_stream(Diagnosis& diagnosis, Time_ns now_ns) const;
 
-  PerceptionSettings settings_;
+  std::unique_ptr<Parts> parts_;  ///< settings and chain
   std::optional<CameraModel> camera_;
   std::string camera_fault_;
   std::int64_t camera_infos_ = 0;
-  std::unique_ptr<Chain> chain_;
-  std::unique_ptr<OpenSpaceFinder> explainer_;
 
   StampCheck stamps_;
   LatencyMeter latency_;

@@ -5,11 +5,12 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
 #include "adit/navigator.hpp"
 #include "adit/navigator_fields.hpp"
+#include "adit/node/control_config.hpp"
+#include "adit/node/parameters.hpp"
 
 namespace adit::node {
 
@@ -27,15 +28,6 @@ struct PerceptionConfig {
   Pilot pilot = Pilot::kByMethod;
   double speed_m_s = 0.2;
   double stamp_jump_s = 0.5;
-};
-
-/// Of the controller node.
-struct ControlConfig {
-  double hover_after_s = 0.5;
-  double error_after_s = 5.0;
-  double speed_max_m_s = 1.0;
-  double yaw_rate_limit_rad_s = 0.8;
-  bool turn_without_opening = false;
 };
 
 template <class Config, class Visitor>
@@ -73,7 +65,6 @@ void visit_fields(Config& c, Visitor&& visit) {
 
 /// Why a configuration is refused, naming the field, the value and the range. Empty when it is good.
 [[nodiscard]] std::optional<std::string> fault_of(const PerceptionConfig& config);
-[[nodiscard]] std::optional<std::string> fault_of(const ControlConfig& config);
 
 /// The perception node's, section by section.
 struct PerceptionSettings {
@@ -97,18 +88,6 @@ void visit_sections(Settings& s, Visitor&& visit) {
 template <class Settings, class Visitor>
 requires std::is_same_v<std::remove_const_t<Settings>, ControlConfig>
 void visit_sections(Settings& s, Visitor&& visit) { visit("control", s); }
-
-/// As parameter servers hold them; enumerations are strings.
-using ParameterValue = std::variant<bool, int, double, std::string>;
-
-/// One parameter: its name is the field's, without the section; no two fields share one.
-struct Parameter {
-  std::string section;
-  std::string name;
-  ParameterValue value;
-  FieldNote note;
-  std::vector<std::string> choices;  ///< of an enumeration
-};
 
 /// All parameters with their present values, in the order of the fields.
 [[nodiscard]] std::vector<Parameter> parameters_of(const PerceptionSettings& settings);

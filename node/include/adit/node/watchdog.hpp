@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "adit/finder.hpp"
-#include "adit/node/settings.hpp"
+#include "adit/node/control_config.hpp"
 #include "adit/node/time.hpp"
 
 namespace adit::node {

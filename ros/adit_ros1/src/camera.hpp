@@ -1,0 +1,43 @@
+// The camera node: whatever adit can read (a device, a video, a folder of images) as a camera driver.
+#pragma once
+
+#include <camera_info_manager/camera_info_manager.h>
+#include <image_transport/image_transport.h>
+#include <ros/ros.h>
+
+#include <memory>
+#include <opencv2/core/mat.hpp>
+#include <string>
+#include <vector>
+
+#include "adit/io/frame_source.hpp"
+
+namespace adit_ros1 {
+
+class CameraNode {
+ public:
+  /// @throws std::runtime_error naming the input or the parameter and what to do.
+  CameraNode(ros::NodeHandle nh, ros::NodeHandle private_nh);
+
+ private:
+  [[nodiscard]] cv::Mat next_pixels();
+  void open();
+  void publish();
+
+  ros::NodeHandle nh_;
+  std::string input_, frame_id_ = "camera_optical";
+  double rate_hz_ = 30.0, hfov_deg_ = 75.0;
+  bool loop_ = true, preload_ = false;
+  int freeze_after_ = 0;  ///< frames; 0: never. For tests: the driver goes on, the picture does not
+  std::vector<std::unique_ptr<adit::io::FrameSource>> sources_;
+  std::vector<cv::Mat> loaded_;  ///< with preload
+  std::size_t next_ = 0;
+  std::int64_t published_ = 0;
+  cv::Mat frozen_;
+  camera_info_manager::CameraInfoManager info_;
+  image_transport::ImageTransport transport_;
+  image_transport::CameraPublisher publisher_;
+  ros::WallTimer timer_;
+};
+
+}  // namespace adit_ros1

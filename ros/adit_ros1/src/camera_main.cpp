@@ -1,0 +1,15 @@
+#include <exception>
+
+#include "camera.hpp"
+
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "camera");
+  try {
+    adit_ros1::CameraNode node(ros::NodeHandle(), ros::NodeHandle("~"));
+    ros::spin();
+    return 0;
+  } catch (const std::exception& e) {
+    ROS_FATAL("%s", e.what());
+    return 1;
+  }
+}

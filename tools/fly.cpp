@@ -70,6 +70,16 @@ void add_work_options(CLI::App& fly, Options& options) {
   fly.add_option("--out", options.work.out, "Folder for flight.csv, summary.json, map.png, figures")->type_name("DIR");
   fly.add_flag("--video", options.work.film, "Also the film, with overlay: flight.mp4");
   fly.add_option("--report", options.work.report, "The flight as one page for the browser")->type_name("FILE.html");
+#ifdef ADIT_WITH_HTTP
+  fly.add_flag("--view", options.work.view, "Watch it in a page while it is flown; ends with Ctrl-C");
+  fly.add_option("--listen", options.work.view_host, "Address of that page (127.0.0.1)")
+      ->type_name("ADDRESS")
+      ->group("");
+  fly.add_option("--port", options.work.view_port, "Its port (any that is free)")
+      ->type_name("N")
+      ->check(CLI::Range(1, 65535))
+      ->group("");
+#endif
   fly.add_option("--still", options.work.stills_s, "Also the picture at this time, repeatable")
       ->type_name("S")
       ->allow_extra_args(false)
@@ -97,6 +107,8 @@ ExitCode run(Options& options) {
       std::filesystem::path(options.fly.course.empty() ? options.fly.world_file : options.fly.course).stem().string();
   if (!options.work.report.empty() && (options.runs > 0 || !options.seeds.empty()))
     throw CLI::ValidationError("--report", "is for one flight; of many, give --out and report each seed's folder");
+  if (options.work.view && (options.runs > 0 || !options.seeds.empty()))
+    throw CLI::ValidationError("--view", "is for one flight");
   watch_signals();
   const FlySettings settings = fly_settings_of(options.fly);
   const Site site = site_of(options.fly, settings);

@@ -17,6 +17,9 @@
 #include "interrupt.hpp"
 #include "progress.hpp"
 #include "report_flight.hpp"
+#ifdef ADIT_WITH_HTTP
+#include "view_flight.hpp"
+#endif
 #include "worker_pool.hpp"
 
 namespace adit::tools {
@@ -224,12 +227,20 @@ ExitCode fly_once(const FlyWork& work, const FlySettings& settings, const Site& 
     const ReportOrigin origin = made_by(settings);
     std::optional<FlightReport> report;
     if (!work.report.empty()) report.emplace(flight, origin);
+#ifdef ADIT_WITH_HTTP
+    std::unique_ptr<FlightView> view;
+    if (work.view)
+      view = std::make_unique<FlightView>(work.name, settings, site.world, ViewAddress{work.view_host, work.view_port});
+#endif
     const auto frames =
         static_cast<std::int64_t>(std::ceil(settings.flight.flight.time_max_s * settings.flight.flight.camera_rate_hz));
     Progress progress(frames, "frames", work.quiet);
     const Flown flown = fly(work, settings, flight, [&] {
       if (outputs) outputs->add(flight);
       if (report) report->add(flight);
+#ifdef ADIT_WITH_HTTP
+      if (view) view->add(flight);
+#endif
       progress.show(flight.row().frame + 1);
     });
     progress.clear();
@@ -242,6 +253,9 @@ ExitCode fly_once(const FlyWork& work, const FlySettings& settings, const Site& 
     }
     if (report) report->write(work.report, flight, title_of(flown), summary_json(flown.summary, flown.context));
     if (!work.quiet) print_flight(flown);
+#ifdef ADIT_WITH_HTTP
+    if (view) view->stay(title_of(flown));
+#endif
     return flown.context.interrupted ? kInterrupted : kSuccess;
   });
 }

@@ -17,6 +17,9 @@ struct FlyWork {
   bool film = false;
   bool sensors = false;
   std::string report;  ///< page; "" for none
+  bool view = false;
+  std::string view_host = "127.0.0.1";
+  int view_port = 0;  ///< 0: any that is free
   bool quiet = false;
   std::vector<double> stills_s;
   std::vector<std::uint64_t> seeds;

@@ -55,7 +55,8 @@ ExitCode run(int argc, char** argv) {
   adit::tools::add_explain(app, exit_code);
   adit::tools::add_report(app, exit_code);
   adit::tools::add_eval(app, exit_code);
-#ifdef ADIT_WITH_MARK
+#ifdef ADIT_WITH_HTTP
+  adit::tools::add_view(app, exit_code);
   adit::tools::add_mark(app, exit_code);
 #endif
 #ifdef ADIT_WITH_SIM

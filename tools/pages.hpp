@@ -3,6 +3,8 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace adit::tools {
 
@@ -18,6 +20,14 @@ namespace adit::tools {
 [[nodiscard]] std::string_view uplot_css();
 /// Of `adit mark`.
 [[nodiscard]] std::string_view mark_page();
+
+/// Of `adit view`; @CSS@, @JS@, @UPLOT_CSS@ and @UPLOT_JS@ are to be filled in.
+[[nodiscard]] std::string_view view_page();
+[[nodiscard]] std::string_view view_js();
+
+/// A page with its parts filled in. What is filled in is not looked through for names of parts.
+[[nodiscard]] std::string filled_page(std::string_view page,
+                                      const std::vector<std::pair<std::string_view, std::string>>& parts);
 
 /// Text as HTML shows it, also within quotes of an attribute.
 [[nodiscard]] std::string html_of(std::string_view text);

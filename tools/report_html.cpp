@@ -76,35 +76,18 @@ Json json_of(const Report& report) {
   return json;
 }
 
-std::string replaced(std::string_view page, const std::vector<std::pair<std::string_view, std::string>>& parts) {
-  std::string text;
-  while (true) {
-    std::size_t at = std::string_view::npos;
-    const std::pair<std::string_view, std::string>* next = nullptr;
-    for (const auto& part : parts)
-      if (const std::size_t here = page.find(part.first); here < at) {
-        at = here;
-        next = &part;
-      }
-    text += page.substr(0, at);
-    if (next == nullptr) return text;
-    text += next->second;
-    page.remove_prefix(at + next->first.size());
-  }
-}
-
 }  // namespace
 
 void write_report(const std::filesystem::path& path, const Report& report) {
   std::string json = json_of(report).dump(-1, ' ', false, Json::error_handler_t::replace);
   // Nothing in it may look like the end of the script it stands in.
   for (std::size_t at = 0; (at = json.find('<', at)) != std::string::npos; at += 6) json.replace(at, 1, "\\u003c");
-  io::write_file(path, replaced(report_page(), {{"@TITLE@", html_of(report.title)},
-                                                {"@UPLOT_CSS@", std::string(uplot_css())},
-                                                {"@UPLOT_JS@", std::string(uplot_js())},
-                                                {"@CSS@", std::string(look_css())},
-                                                {"@JS@", std::string(report_js())},
-                                                {"@REPORT@", json}}));
+  io::write_file(path, filled_page(report_page(), {{"@TITLE@", html_of(report.title)},
+                                                   {"@UPLOT_CSS@", std::string(uplot_css())},
+                                                   {"@UPLOT_JS@", std::string(uplot_js())},
+                                                   {"@CSS@", std::string(look_css())},
+                                                   {"@JS@", std::string(report_js())},
+                                                   {"@REPORT@", json}}));
 }
 
 }  // namespace adit::tools

@@ -13,7 +13,8 @@ void add_run(CLI::App& app, ExitCode& exit_code);
 void add_explain(CLI::App& app, ExitCode& exit_code);
 void add_report(CLI::App& app, ExitCode& exit_code);
 void add_eval(CLI::App& app, ExitCode& exit_code);
-void add_mark(CLI::App& app, ExitCode& exit_code);  ///< only where cpp-httplib is there
+void add_view(CLI::App& app, ExitCode& exit_code);  ///< only where cpp-httplib is there
+void add_mark(CLI::App& app, ExitCode& exit_code);  ///< the same
 void add_bench(CLI::App& app, ExitCode& exit_code);
 void add_fly(CLI::App& app, ExitCode& exit_code);     ///< only in builds with the simulator
 void add_render(CLI::App& app, ExitCode& exit_code);  ///< the same

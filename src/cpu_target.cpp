@@ -28,6 +28,8 @@ class Targets {
     if (__builtin_cpu_supports("sse4.1")) add("sse41", kernels::kSse41Loops);
 #elif defined(ADIT_TARGETS_NEON)
     add("neon", kernels::kNeonLoops);
+#elif defined(ADIT_TARGETS_WASM)
+    add("wasm", kernels::kWasmLoops);
 #endif
     add("plain", kernels::kPlainLoops);
     const char* wanted = std::getenv("ADIT_TARGET");  // NOLINT(concurrency-mt-unsafe): once, under the static's guard

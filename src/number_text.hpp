@@ -3,14 +3,23 @@
 
 #include <array>
 #include <charconv>
+#include <locale>
+#include <sstream>
 #include <string>
 
 namespace adit {
 
 inline std::string number_text(double value) {
+#if !defined(__cpp_lib_to_chars)  // emscripten's library knows no reals there
+  std::ostringstream short_text;
+  short_text.imbue(std::locale::classic());
+  short_text << value;
+  return short_text.str();
+#else
   std::array<char, 32> text{};
   const auto end = std::to_chars(text.data(), text.data() + text.size(), value);
   return {text.data(), end.ptr};
+#endif
 }
 
 /// "name: 1.5 px is not in [0, 1] px; set a value in this range"

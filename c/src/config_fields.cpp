@@ -1,7 +1,5 @@
 #include "config_fields.hpp"
 
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <locale>
 #include <sstream>
@@ -83,6 +81,21 @@ double number_of(const FieldNote& note, std::string_view value) {
   return number;
 }
 
+/// The fewest digits that give the number again. Not std::to_chars: emscripten's library has none for reals.
+std::string shortest_text(double number) {
+  constexpr int kDigitsMax = 17;
+  for (int digits = 1;; ++digits) {
+    std::ostringstream text;
+    text.imbue(std::locale::classic());
+    text.precision(digits);
+    text << number;
+    std::istringstream back(text.str());
+    back.imbue(std::locale::classic());
+    double read = 0.0;
+    if (digits == kDigitsMax || (back >> read && read == number)) return text.str();
+  }
+}
+
 template <class Enum>
 std::string choices_of(const FieldNote& note) {
   std::string names = "is none of:";
@@ -122,8 +135,7 @@ std::string field_text(const NavigatorConfig& config, std::string_view field) {
     if constexpr (std::is_enum_v<std::remove_cvref_t<decltype(member)>>) {
       text = to_string(member);
     } else {
-      std::array<char, 32> digits{};
-      text.assign(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), member).ptr);
+      text = shortest_text(static_cast<double>(member));
     }
   });
   return text;

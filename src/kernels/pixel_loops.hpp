@@ -96,6 +96,8 @@ extern const PixelLoops kAvx2Loops;
 extern const PixelLoops kAvx512Loops;
 #elif defined(ADIT_TARGETS_NEON)
 extern const PixelLoops kNeonLoops;
+#elif defined(ADIT_TARGETS_WASM)
+extern const PixelLoops kWasmLoops;
 #endif
 
 }  // namespace adit::kernels

@@ -53,8 +53,9 @@ inline constexpr int kTileWidth_px = 200;
 
 /// All that is kept. Budgets are bytes of JPEG; in the page they are a third longer.
 struct ReportPictures {
-  static constexpr std::int64_t kFrameBytes = 12'000'000;  ///< some 1400 frames; with the rest a page of 30 MB at most
-  static constexpr std::int64_t kStageBytes = 4'000'000;
+  static constexpr std::int64_t kFrameBytes =
+      16'000'000;  ///< 1000 to 2000 frames; the page is 30 MB at most, and its table
+  static constexpr std::int64_t kStageBytes = 6'000'000;
   ThinnedPictures frames{kFrameBytes};
   ThinnedPictures stages{kStageBytes};
   std::vector<std::string> tile_names;

@@ -18,11 +18,25 @@ io::Configuration configuration_of(const sim::FlightSettings& s) {
   return {s.finder, s.heading, s.column_range, s.range_memory, s.tracker, s.steering, s.frame_watch};
 }
 
+/// Steep patches of less than half a square metre are stones on the floor and knobs of the roof.
+void clear_stones(cv::Mat& picture, double cell_m) {
+  constexpr double kStone_m2 = 0.5;
+  cv::Mat steep, labels, figures, middles;
+  cv::extractChannel(picture, steep, 3);
+  const int count = cv::connectedComponentsWithStats(steep, labels, figures, middles);
+  std::vector<bool> is_stone(static_cast<std::size_t>(count));
+  for (int i = 1; i < count; ++i)
+    is_stone[static_cast<std::size_t>(i)] = figures.at<int>(i, cv::CC_STAT_AREA) * cell_m * cell_m < kStone_m2;
+  for (int y = 0; y < picture.rows; ++y)
+    for (int x = 0; x < picture.cols; ++x)
+      if (is_stone[static_cast<std::size_t>(labels.at<int>(y, x))]) picture.at<cv::Vec4b>(y, x) = {};
+}
+
 }  // namespace
 
 LivePlan plan_of(const sim::World& world) {
   constexpr double kMargin_m = 2.0, kCell_m = 0.1, kPixelsMax = 4000.0;
-  constexpr float kSteep = 0.5f;  // normals less upright than 60 deg from the horizon are walls
+  constexpr float kSteep = 0.2f;  // normals within 12 deg of level are walls; stones on the floor are few of them
   const sim::Mesh& mesh = world.mesh;
   if (mesh.vertices.empty()) return {};
   Eigen::Vector3f low = mesh.vertices.front(), high = low;
@@ -48,6 +62,7 @@ LivePlan plan_of(const sim::World& world) {
     cv::fillConvexPoly(picture, corners, 3, cv::Scalar(140, 125, 110, 255));
     cv::line(picture, corners[0], corners[1], cv::Scalar(140, 125, 110, 255));
   }
+  clear_stones(picture, plan.cell_m);
   std::vector<unsigned char> png;
   cv::imencode(".png", picture, png);
   plan.png.assign(png.begin(), png.end());

@@ -173,7 +173,12 @@ function makeCharts() {
       series: [{ label: "time", value: (u, v) => v == null ? "" : v.toFixed(2) + " s" },
         ...there.map(s => ({ label: s.label, stroke: s.stroke, width: 1.25, dash: s.dash, spanGaps: false,
           points: { show: false }, value: (u, v) => shown(v, 3) }))],
-      hooks: { draw: [drawNow] },
+      hooks: { ready: [u => {
+        u.now = document.createElement("div");
+        u.now.className = "now";
+        u.over.append(u.now);
+        drawNow(u);
+      }], setScale: [u => { if (u.now) drawNow(u); }] },
     }, [time, ...there.map(s => columns[s.name])], chart);
     plot.over.addEventListener("click", () => {
       // A drag ends in a click too; it has a selection.
@@ -189,14 +194,11 @@ function spread(u, low, high) {
   const room = Math.max(0.05 * (high - low), 0.02);
   return [low - room, high + room];
 }
+/// The line at the frame on show lies over the plot: an hour of rows is not drawn again for it.
 function drawNow(u) {
-  const x = u.valToPos(time[at], "x", true);
-  if (x < u.bbox.left || x > u.bbox.left + u.bbox.width) return;
-  u.ctx.save();
-  u.ctx.strokeStyle = colour("--accent");
-  u.ctx.lineWidth = 2 * devicePixelRatio;
-  u.ctx.beginPath(); u.ctx.moveTo(x, u.bbox.top); u.ctx.lineTo(x, u.bbox.top + u.bbox.height); u.ctx.stroke();
-  u.ctx.restore();
+  const x = u.valToPos(time[at], "x");
+  u.now.style.left = x + "px";
+  u.now.hidden = !(x >= 0 && x <= u.over.clientWidth);
 }
 
 // --- status over time
@@ -249,14 +251,16 @@ function arrow(c, x, y, angle, length, stroke, width) {
   for (const side of [-2.6, 2.6]) c.lineTo(tx + 9 * Math.cos(angle + side), ty - 9 * Math.sin(angle + side));
   c.fill();
 }
-function drawMap() {
-  if (!columns.x_m) return;
-  const ratio = devicePixelRatio || 1, w = map.clientWidth, h = map.clientHeight, c = map.getContext("2d");
-  map.width = w * ratio; map.height = h * ratio;
+/// The ground and the way: drawn again only when the view is another.
+const still = document.createElement("canvas");
+let stillOf = "";
+function drawStill(w, h, ratio, X, Y) {
+  const key = [w, h, ratio, view.x, view.y, view.m_px, Boolean(ground)].join();
+  if (key === stillOf) return;
+  stillOf = key;
+  still.width = w * ratio; still.height = h * ratio;
+  const c = still.getContext("2d");
   c.scale(ratio, ratio);
-  if (!view) view = wholeView();
-  if ($("map-follow").checked) { view.x = columns.x_m[at]; view.y = columns.y_m[at]; }
-  const X = x => w / 2 + (x - view.x) / view.m_px, Y = y => h / 2 - (y - view.y) / view.m_px;
   c.fillStyle = "#cdcdcd"; c.fillRect(0, 0, w, h);
   if (ground) {
     c.imageSmoothingEnabled = false;
@@ -264,28 +268,41 @@ function drawMap() {
     c.drawImage(ground, X(m.x_min_m), Y(m.y_min_m + gh), gw / view.m_px, gh / view.m_px);
   }
   c.strokeStyle = "#6c8ebf"; c.lineWidth = 1.5; c.beginPath();
-  let px = NaN, py = NaN;
+  let px = NaN, py = NaN, lx = NaN, ly = NaN;
   const due = [];
   for (let i = 0; i < rows; ++i) {
     const x = X(columns.x_m[i]), y = Y(columns.y_m[i]);
+    if (Math.hypot(x - lx, y - ly) < 1) continue;  // less than a pixel on
     i ? c.lineTo(x, y) : c.moveTo(x, y);
+    lx = x; ly = y;
     if (!(Math.hypot(x - px, y - py) < 34)) { due.push(i); px = x; py = y; }  // an arrow every 34 px
   }
   c.stroke();
-  const poseArrow = (i, long, width) => {
-    const yaw = columns.yaw_deg[i] * Math.PI / 180, azimuth = columns.azimuth_deg[i] * Math.PI / 180;
-    const x = X(columns.x_m[i]), y = Y(columns.y_m[i]);
-    if (Number.isFinite(azimuth)) arrow(c, x, y, yaw - azimuth, long * 1.5, "#2fb457", width);
-    arrow(c, x, y, yaw, long, "#e5484d", width);
-  };
-  for (const i of due) poseArrow(i, 14, 1.25);
-  c.fillStyle = "#0006";
-  c.beginPath(); c.arc(X(columns.x_m[at]), Y(columns.y_m[at]), 9, 0, 7); c.fill();
-  poseArrow(at, 34, 3.5);
+  for (const i of due) poseArrow(c, i, X, Y, 14, 1.25);
   // A bar of a round length.
   const round = [0.5, 1, 2, 5, 10, 20, 50, 100, 200].find(m => m / view.m_px > 60) || 500;
   c.fillStyle = "#000"; c.fillRect(12, h - 16, round / view.m_px, 3);
   c.font = "12px system-ui, sans-serif"; c.fillText(round + " m", 12, h - 21);
+}
+function poseArrow(c, i, X, Y, long, width) {
+  const yaw = columns.yaw_deg[i] * Math.PI / 180, azimuth = columns.azimuth_deg[i] * Math.PI / 180;
+  const x = X(columns.x_m[i]), y = Y(columns.y_m[i]);
+  if (Number.isFinite(azimuth)) arrow(c, x, y, yaw - azimuth, long * 1.5, "#2fb457", width);
+  arrow(c, x, y, yaw, long, "#e5484d", width);
+}
+function drawMap() {
+  if (!columns.x_m) return;
+  const ratio = devicePixelRatio || 1, w = map.clientWidth, h = map.clientHeight, c = map.getContext("2d");
+  if (!view) view = wholeView();
+  if ($("map-follow").checked) { view.x = columns.x_m[at]; view.y = columns.y_m[at]; }
+  const X = x => w / 2 + (x - view.x) / view.m_px, Y = y => h / 2 - (y - view.y) / view.m_px;
+  drawStill(w, h, ratio, X, Y);
+  map.width = w * ratio; map.height = h * ratio;
+  c.drawImage(still, 0, 0);
+  c.scale(ratio, ratio);
+  c.fillStyle = "#0006";
+  c.beginPath(); c.arc(X(columns.x_m[at]), Y(columns.y_m[at]), 9, 0, 7); c.fill();
+  poseArrow(c, at, X, Y, 34, 3.5);
   map.setAttribute("aria-label", `Map seen from above: x ${shown(columns.x_m[at], 1)} m, y ${shown(columns.y_m[at], 1)} m, `
     + `yaw ${shown(columns.yaw_deg[at], 0)} degrees`);
 }
@@ -376,7 +393,7 @@ function go(row) {
     showFrame(at);
     showStages(at);
     drawMap();
-    for (const plot of plots) plot.redraw(false);
+    for (const plot of plots) { drawNow(plot); plot.setLegend({ idx: at }); }
   });
 }
 slider.addEventListener("input", () => go(Number(slider.value)));

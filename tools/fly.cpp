@@ -84,6 +84,14 @@ void add_work_options(CLI::App& fly, Options& options) {
       ->type_name("S")
       ->allow_extra_args(false)
       ->group("");
+  fly.add_option("--bag", options.work.bag.file, "The flight as a bag of ROS 1")->type_name("FILE.bag");
+  fly.add_option("--bag-images", options.work.bag.images, "raw or jpeg (raw)")
+      ->type_name("KIND")
+      ->check(CLI::IsMember({"raw", "jpeg"}))
+      ->group("");
+  fly.add_option("--bag-topic", options.work.bag.topic, "Of the images (camera/image_raw)")
+      ->type_name("NAME")
+      ->group("");
   fly.add_flag("--sensors", options.work.sensors, "Also imu.csv and scans.csv")->group("");
   fly.add_option("--seed", options.seed, "Of start, gusts and noise (1)")->type_name("N");
   fly.add_option("--runs", options.runs, "Fly with so many seeds; a table and the success rate")
@@ -102,6 +110,8 @@ ExitCode run(Options& options) {
     throw CLI::RequiredError("one of COURSE and --world");
   if (options.work.out.empty() && (options.work.film || options.work.sensors || !options.work.stills_s.empty()))
     throw CLI::RequiredError("--out (for --video, --still and --sensors)");
+  if (!options.work.bag.file.empty() && (options.runs > 0 || !options.seeds.empty()))
+    throw CLI::ValidationError("--bag", "is for one flight");
   options.work.seeds = seeds_of(options);
   options.work.name =
       std::filesystem::path(options.fly.course.empty() ? options.fly.world_file : options.fly.course).stem().string();

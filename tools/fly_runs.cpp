@@ -221,7 +221,9 @@ ExitCode fly_once(const FlyWork& work, const FlySettings& settings, const Site& 
   return with_config_faults([&] {
     sim::RenderedEye eye(site.world, settings.rig, settings.render, site.scene);
     sim::Flight flight(seeded(settings, work.seeds.front()), site.world, *site.scene, eye);
-    flight.record_sensors(work.sensors);
+    flight.record_sensors(work.sensors || !work.bag.file.empty());
+    std::optional<FlyBag> bag;
+    if (!work.bag.file.empty()) bag.emplace(work.bag, flight);
     std::optional<FlyOutputs> outputs;
     if (!work.out.empty()) outputs.emplace(work.out, flight, work.film, work.sensors, work.stills_s);
     const ReportOrigin origin = made_by(settings);
@@ -237,6 +239,7 @@ ExitCode fly_once(const FlyWork& work, const FlySettings& settings, const Site& 
     Progress progress(frames, "frames", work.quiet);
     const Flown flown = fly(work, settings, flight, [&] {
       if (outputs) outputs->add(flight);
+      if (bag) bag->add(flight);
       if (report) report->add(flight);
 #ifdef ADIT_WITH_HTTP
       if (view) view->add(flight);
@@ -244,6 +247,7 @@ ExitCode fly_once(const FlyWork& work, const FlySettings& settings, const Site& 
       progress.show(flight.row().frame + 1);
     });
     progress.clear();
+    if (bag) bag->commit();
     if (outputs) {
       outputs->commit(flight, summary_json(flown.summary, flown.context));
       write_origin(work.out, origin);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "exit_code.hpp"
+#include "fly_bag.hpp"
 #include "fly_setup.hpp"
 
 namespace adit::tools {
@@ -20,6 +21,7 @@ struct FlyWork {
   bool view = false;
   std::string view_host = "127.0.0.1";
   int view_port = 0;  ///< 0: any that is free
+  BagOptions bag;
   bool quiet = false;
   std::vector<double> stills_s;
   std::vector<std::uint64_t> seeds;

@@ -63,6 +63,9 @@ ExitCode run(int argc, char** argv) {
   adit::tools::add_fly(app, exit_code);
   adit::tools::add_render(app, exit_code);
 #endif
+#ifdef ADIT_WITH_GZ
+  adit::tools::add_gz(app, exit_code);
+#endif
   adit::tools::add_bench(app, exit_code);
   adit::tools::add_config(app, exit_code);
   try {

@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "adit/io/frame_source.hpp"
+#include "bag_inputs.hpp"
 #include "finder_options.hpp"
 #include "frame_line.hpp"
 #include "interrupt.hpp"
@@ -25,6 +26,7 @@ struct RunOptions {
   FinderOptions finder;
   OutputOptions outputs;
   io::SourceOptions sources;
+  std::string bag_topic;  ///< of the images in bags; "": the only one
   int jobs = static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1u, 256u));
   std::int64_t limit = 0;  ///< 0: none
   bool quiet = false;
@@ -56,7 +58,7 @@ class Run {
   explicit Run(const RunOptions& options)
       : options_(options),
         settings_(line_settings()),
-        sources_(io::open_sources(options.inputs, options.sources)),
+        sources_(sources_of(options.inputs, options.sources, options.bag_topic)),
         total_(total_of(sources_, options.limit)),
         outputs_(options.outputs, sources_.front()->rate_hz()),
         progress_(total_, "frames", options.quiet || table_on_terminal(options.outputs)),
@@ -76,7 +78,7 @@ class Run {
  private:
   LineSettings line_settings() const {
     return {configuration_of(options_.finder),
-            camera_of(options_.finder),
+            camera_of_inputs(options_.finder, options_.inputs, options_.bag_topic),
             options_.jobs,
             !options_.outputs.video.empty(),
             !options_.outputs.frames_folder.empty(),
@@ -183,7 +185,7 @@ class Run {
 };
 
 void add_options(CLI::App& run, RunOptions& options) {
-  run.add_option("input", options.inputs, "Images, folders, patterns, videos, /dev/videoN")
+  run.add_option("input", options.inputs, "Images, folders, patterns, videos, .bag, /dev/videoN")
       ->required()
       ->type_name("INPUT...");
   run.add_option("--csv", options.outputs.csv, "Table as CSV; - is standard output (the default)")->type_name("FILE");
@@ -198,6 +200,7 @@ void add_options(CLI::App& run, RunOptions& options) {
   run.add_option("--fps", options.sources.images_hz, "Frames a second of images: their stamps (30)")
       ->type_name("HZ")
       ->check(CLI::Range(0.001, 10000.0));
+  run.add_option("--topic", options.bag_topic, "Of the images in a bag (the only one)")->type_name("NAME");
   run.add_flag("--sequence", options.sources.images_are_sequence,
                "Images follow each other in time: steering remembers");
   run.add_option("--jobs", options.jobs, "Threads; the output is the same with any (all cores)")

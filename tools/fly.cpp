@@ -65,7 +65,7 @@ void add_flight_options(CLI::App& fly, Options& options) {
       ->allow_extra_args(false);
 }
 
-/// The page holds 30 lines: --still, --sensors, --seeds, --jobs and --quiet stand in the manual alone.
+/// The page holds 30 lines: --bag, --still, --sensors, --seeds, --jobs and --quiet stand in the manual alone.
 void add_work_options(CLI::App& fly, Options& options) {
   fly.add_option("--out", options.work.out, "Folder for flight.csv, summary.json, map.png, figures")->type_name("DIR");
   fly.add_flag("--video", options.work.film, "Also the film, with overlay: flight.mp4");
@@ -84,7 +84,7 @@ void add_work_options(CLI::App& fly, Options& options) {
       ->type_name("S")
       ->allow_extra_args(false)
       ->group("");
-  fly.add_option("--bag", options.work.bag.file, "The flight as a bag of ROS 1")->type_name("FILE.bag");
+  fly.add_option("--bag", options.work.bag.file, "The flight as a bag of ROS 1")->type_name("FILE.bag")->group("");
   fly.add_option("--bag-images", options.work.bag.images, "raw or jpeg (raw)")
       ->type_name("KIND")
       ->check(CLI::IsMember({"raw", "jpeg"}))

@@ -107,9 +107,7 @@ GzLink::GzLink(const GzTopics& topics, OnImage on_image, OnCameraInfo on_camera_
   std::function<void(const messages::CameraInfo&)> take_info = [&p](const messages::CameraInfo& m) {
     p.on_camera_info(camera_info_of(m));
   };
-  std::function<void(const messages::Image&)> take_image = [&p](const messages::Image& m) {
-    p.on_image(borrowed(m));
-  };
+  std::function<void(const messages::Image&)> take_image = [&p](const messages::Image& m) { p.on_image(borrowed(m)); };
   subscribed(p.node.Subscribe(info, take_info), info);
   subscribed(p.node.Subscribe(topics.image, take_image), topics.image);
 }

@@ -44,6 +44,18 @@ if(TARGET adit_sim)
 endif()
 if(TARGET adit_program)
   install(TARGETS adit_program RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
+  # Man pages and completion come from the program's own command line, so it has to run here.
+  if(NOT CMAKE_CROSSCOMPILING AND NOT ADIT_SANITIZE)
+    set(manual_dir ${PROJECT_BINARY_DIR}/manual)
+    add_custom_command(OUTPUT ${manual_dir}/adit.1
+      COMMAND ${CMAKE_COMMAND} -E rm -rf ${manual_dir} COMMAND ${CMAKE_COMMAND} -E make_directory ${manual_dir}
+      COMMAND adit_program --write-manual ${manual_dir} DEPENDS adit_program VERBATIM)
+    add_custom_target(adit_manual ALL DEPENDS ${manual_dir}/adit.1)
+    install(DIRECTORY ${manual_dir}/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program
+      FILES_MATCHING PATTERN "*.1")
+    install(FILES ${manual_dir}/adit.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME adit
+      COMPONENT program)
+  endif()
   # Where the installed program looks for them (tools/fly_setup.cpp).
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/courses/ DESTINATION ${CMAKE_INSTALL_DATADIR}/adit/courses COMPONENT program
     FILES_MATCHING PATTERN "*.yaml")

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cstdio>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <thread>
 
 #include "adit/io/errors.hpp"
 #include "adit/io/output_file.hpp"
 #include "eval_gallery.hpp"
+#include "eval_parts.hpp"
 #include "eval_report.hpp"
 #include "eval_work.hpp"
 #include "finder_options.hpp"
@@ -64,6 +66,7 @@ void add_options(CLI::App& eval, Options& options) {
   eval.add_option("--jobs", options.work.jobs, "Threads; the output is the same with any (all cores)")
       ->type_name("N")
       ->check(CLI::Range(1, 256));
+  add_shard_option(eval, options.work.shard);
   eval.add_flag("--quiet", options.work.quiet, "No progress");
 }
 
@@ -106,7 +109,17 @@ std::vector<Contender> contenders_of(const Options& options, const FinderConfig&
   return all;
 }
 
-ExitCode run(Options& options) {
+/// The part lies beside the file that the figures will stand in.
+const std::string& whole_of(const Options& options) {
+  if (!options.gallery.empty() || !options.report.empty())
+    throw CLI::ValidationError("--shard", "a gallery shows the whole; leave out --gallery and --report");
+  const std::string& whole = options.json.empty() ? options.csv : options.json;
+  if (whole.empty() || whole == "-") throw CLI::RequiredError("--json FILE or --csv FILE (for --shard)");
+  return whole;
+}
+
+ExitCode run(Options& options, const std::vector<std::string>& arguments) {
+  const std::string whole = options.work.shard.is_given() ? whole_of(options) : "";
   EvalWork& work = options.work;
   watch_signals();
   const io::Configuration configuration = configuration_of(options.finder);
@@ -119,6 +132,10 @@ ExitCode run(Options& options) {
   if (result.interrupted) {
     print_line("adit: interrupted; figures of a part would mislead, so none are written");
     return kInterrupted;
+  }
+  if (work.shard.is_given()) {
+    write_eval_part(whole, eval_label(work, arguments), work, result);
+    return result.unreadable > 0 ? kSomeUnreadable : kSuccess;
   }
   if (!options.json.empty()) io::write_file(options.json, eval_json(work, result));
   if (!options.csv.empty() && options.csv != "-") io::write_file(options.csv, eval_csv(work, result));
@@ -139,7 +156,19 @@ void add_eval(CLI::App& app, ExitCode& exit_code) {
   options->work.jobs = static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1u, 256u));
   add_options(*eval, *options);
   eval->footer("Example: adit eval data --json figures.json");
-  eval->callback([options, &exit_code] { exit_code = run(*options); });
+  eval->callback([eval, options, &exit_code] { exit_code = run(*options, arguments_of(*eval)); });
+}
+
+ExitCode eval_from_parts(const std::vector<Part>& parts) {
+  CLI::App eval("eval");
+  Options options;
+  add_options(eval, options);
+  std::vector<std::string> arguments = nlohmann::json::parse(parts.front().label.head);
+  std::reverse(arguments.begin(), arguments.end());  // as CLI11 takes them
+  eval.parse(arguments);
+  options.work.parts = parts;
+  options.work.jobs = 1;
+  return run(options, {});
 }
 
 }  // namespace adit::tools

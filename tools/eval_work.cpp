@@ -6,6 +6,7 @@
 
 #include "adit/io/errors.hpp"
 #include "adit/io/image_file.hpp"
+#include "eval_parts.hpp"
 #include "eval_pictures.hpp"
 #include "interrupt.hpp"
 #include "progress.hpp"
@@ -70,14 +71,23 @@ void judge_all(EvalWork& work, EvalResult& result) {
   WorkerPool pool(work.jobs);
   std::vector<std::future<void>> tasks;
   for (std::size_t s = 0; s < work.sets.size(); ++s)
-    for (std::size_t f = 0; f < work.sets[s].frames.size(); ++f)
+    for (std::size_t f = 0; f < work.sets[s].frames.size(); ++f) {
+      if (!work.shard.has(static_cast<std::int64_t>(tasks.size()), total)) {
+        tasks.emplace_back();  // another machine's
+        continue;
+      }
       tasks.push_back(pool.submit([&, s, f, number = tasks.size()](int worker) {
         if (is_interrupted()) return;
         result.frames[s][f] = juries[static_cast<std::size_t>(worker)].judge(work.sets[s].frames[f], number);
       }));
+    }
   std::size_t done = 0;
   for (std::size_t s = 0; s < work.sets.size(); ++s)
     for (std::size_t f = 0; f < work.sets[s].frames.size(); ++f) {
+      if (!tasks[done].valid()) {
+        ++done;
+        continue;
+      }
       tasks[done].get();
       if (const std::string& fault = result.frames[s][f].fault; !fault.empty()) {
         ++result.unreadable;
@@ -86,7 +96,7 @@ void judge_all(EvalWork& work, EvalResult& result) {
       progress.show(static_cast<std::int64_t>(++done));
     }
   result.interrupted = is_interrupted();
-  if (result.unreadable == total)
+  if (result.unreadable == total && !work.shard.is_given())
     throw io::InputError("none of the " + std::to_string(total) + " frames can be judged");
 }
 
@@ -175,8 +185,12 @@ struct Tables {
 
 EvalResult evaluate(EvalWork& work) {
   EvalResult result;
-  judge_all(work, result);
-  if (result.interrupted) return result;
+  if (work.parts.empty()) {
+    judge_all(work, result);
+  } else {
+    take_eval_parts(work, result);
+  }
+  if (result.interrupted || work.shard.is_given()) return result;
   const Tables tables{work, result, place_numbers(work.sets)};
   std::vector<std::size_t> all;
   for (std::size_t s = 0; s < work.sets.size(); ++s) {

@@ -7,6 +7,7 @@
 #include "adit/eval/figures.hpp"
 #include "eval_methods.hpp"
 #include "eval_sets.hpp"
+#include "parts.hpp"
 
 namespace adit::tools {
 
@@ -19,7 +20,9 @@ struct EvalWork {
   eval::BootstrapConfig bootstrap;
   int jobs = 1;
   bool quiet = false;
-  bool pictures = false;  ///< for the gallery
+  bool pictures = false;    ///< for the gallery
+  Shard shard;              ///< given: only its frames are judged, and there are no figures
+  std::vector<Part> parts;  ///< given: frames are not judged, but taken from them
 };
 
 /// One method on one frame.

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "adit/io/errors.hpp"
+#include "fly_parts.hpp"
 #include "fly_runs.hpp"
 #include "fly_setup.hpp"
 #include "interrupt.hpp"
@@ -23,6 +24,7 @@ struct Options {
   std::uint64_t seed = 1;
   int runs = 0;
   std::string seeds;
+  Shard shard;
 };
 
 /// "3..17"
@@ -98,11 +100,23 @@ void add_work_options(CLI::App& fly, Options& options) {
       ->type_name("N")
       ->check(CLI::Range(1, 100000));
   fly.add_option("--seeds", options.seeds, "The same with these seeds")->type_name("A..B")->group("");
+  add_shard_option(fly, options.shard, true);
   fly.add_option("--jobs", options.work.jobs, "Flights at once (all cores)")
       ->type_name("N")
       ->check(CLI::Range(1, 256))
       ->group("");
   fly.add_flag("--quiet", options.work.quiet, "No progress, no summary")->group("");
+}
+
+/// Of the seeds, those of the shard are flown.
+void take_shard(Options& options, const FlySettings& settings, const Site& site) {
+  if (options.runs == 0 && options.seeds.empty()) throw CLI::RequiredError("--runs or --seeds (for --shard)");
+  if (options.work.out.empty()) throw CLI::RequiredError("--out (for --shard)");
+  std::vector<std::uint64_t>& seeds = options.work.seeds;
+  options.work.part = fly_label(options.shard, seeds, settings, options.fly, site);
+  const auto items = static_cast<std::int64_t>(seeds.size());
+  seeds =
+      std::vector<std::uint64_t>(seeds.begin() + options.shard.first(items), seeds.begin() + options.shard.end(items));
 }
 
 ExitCode run(Options& options) {
@@ -125,6 +139,7 @@ ExitCode run(Options& options) {
   for (const std::string& note : site.world.notes)
     if (!options.work.quiet) print_line("adit: " + note);
   const bool many = options.runs > 0 || !options.seeds.empty();
+  if (options.shard.is_given()) take_shard(options, settings, site);
   return many ? fly_many(options.work, settings, site) : fly_once(options.work, settings, site);
 }
 

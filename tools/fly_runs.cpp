@@ -14,6 +14,7 @@
 #include "adit/sim/rendered_eye.hpp"
 #include "fly_figures.hpp"
 #include "fly_outputs.hpp"
+#include "fly_parts.hpp"
 #include "interrupt.hpp"
 #include "progress.hpp"
 #include "report_flight.hpp"
@@ -43,12 +44,6 @@ std::string shown(double value, const char* format) {
   std::snprintf(text, sizeof text, format, value);
   return text;
 }
-
-/// A flight from take-off to its end, or to a signal.
-struct Flown {
-  sim::FlightSummary summary;
-  SummaryContext context;
-};
 
 template <class OnFrame>
 Flown fly(const FlyWork& work, const FlySettings& settings, sim::Flight& flight, const OnFrame& on_frame) {
@@ -217,6 +212,20 @@ auto with_config_faults(const Work& work) {
 
 }  // namespace
 
+void report_runs(const std::string& folder, bool quiet, const std::vector<Flown>& runs, sim::Outcome aim) {
+  if (runs.empty()) return;
+  const auto successes =
+      std::count_if(runs.begin(), runs.end(), [aim](const Flown& run) { return is_success(run.summary.outcome, aim); });
+  const sim::Rate rate = sim::wilson_rate(static_cast<int>(successes), static_cast<int>(runs.size()));
+  if (!folder.empty()) {
+    std::string table = kRunsHeader;
+    for (const Flown& run : runs) table += runs_line(run.summary);
+    io::write_file(std::filesystem::path(folder) / "runs.csv", table);
+    io::write_file(std::filesystem::path(folder) / "runs.json", runs_json(runs, rate, aim));
+  }
+  if (!quiet) print_table(runs, rate, aim);
+}
+
 ExitCode fly_once(const FlyWork& work, const FlySettings& settings, const Site& site) {
   return with_config_faults([&] {
     sim::RenderedEye eye(site.world, settings.rig, settings.render, site.scene);
@@ -299,18 +308,16 @@ ExitCode fly_many(const FlyWork& work, const FlySettings& settings, const Site& 
     std::vector<Flown> runs;
     for (auto& result : results)
       if (result) runs.push_back(std::move(*result));
-    if (runs.empty()) return is_interrupted() ? kInterrupted : kUnexpected;
-    const sim::Outcome aim = aim_of(site.world);
-    const auto successes = std::count_if(runs.begin(), runs.end(),
-                                         [aim](const Flown& run) { return is_success(run.summary.outcome, aim); });
-    const sim::Rate rate = sim::wilson_rate(static_cast<int>(successes), static_cast<int>(runs.size()));
-    if (!work.out.empty()) {
-      std::string table = kRunsHeader;
-      for (const Flown& run : runs) table += runs_line(run.summary);
-      io::write_file(std::filesystem::path(work.out) / "runs.csv", table);
-      io::write_file(std::filesystem::path(work.out) / "runs.json", runs_json(runs, rate, aim));
+    if (work.part) {
+      if (is_interrupted()) {
+        print_line("adit: interrupted; half a part is none, run --shard " + work.part->shard.text() + " again");
+        return kInterrupted;
+      }
+      write_fly_part(work.out, *work.part, runs, aim_of(site.world));
+      return kSuccess;
     }
-    if (!work.quiet) print_table(runs, rate, aim);
+    if (runs.empty()) return is_interrupted() ? kInterrupted : kUnexpected;
+    report_runs(work.out, work.quiet, runs, aim_of(site.world));
     if (!is_interrupted()) return kSuccess;
     print_line("adit: interrupted after " + std::to_string(runs.size()) + " of " + std::to_string(work.seeds.size()) +
                " flights; what was written is whole");

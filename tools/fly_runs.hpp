@@ -6,9 +6,12 @@
 #include <string>
 #include <vector>
 
+#include "adit/sim/flight_summary.hpp"
 #include "exit_code.hpp"
 #include "fly_bag.hpp"
+#include "fly_outputs.hpp"
 #include "fly_setup.hpp"
+#include "parts.hpp"
 
 namespace adit::tools {
 
@@ -26,8 +29,18 @@ struct FlyWork {
   std::vector<double> stills_s;
   std::vector<std::uint64_t> seeds;
   int jobs = 1;
-  std::string name;  ///< of course or world
+  std::string name;               ///< of course or world
+  std::optional<PartLabel> part;  ///< the seeds are those of a part (fly_parts.hpp)
 };
+
+/// A flight from take-off to its end, or to a signal.
+struct Flown {
+  sim::FlightSummary summary;
+  SummaryContext context;
+};
+
+/// The table of flights on standard output, unless quiet; with a folder also runs.csv and runs.json in it.
+void report_runs(const std::string& folder, bool quiet, const std::vector<Flown>& runs, sim::Outcome aim);
 
 /// One flight, with everything it leaves behind.
 [[nodiscard]] ExitCode fly_once(const FlyWork& work, const FlySettings& settings, const Site& site);

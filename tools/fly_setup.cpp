@@ -26,6 +26,7 @@ std::vector<fs::path> course_folders() {
   if (const char* named = std::getenv("ADIT_COURSES")) folders.emplace_back(named);
   folders.emplace_back(ADIT_COURSES_SOURCE);
   folders.emplace_back(ADIT_COURSES_INSTALLED);
+  folders.emplace_back("/usr/share/adit/courses");  // Debian packages (cmake/packaging.cmake) go there from any prefix
   return folders;
 }
 

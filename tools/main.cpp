@@ -9,6 +9,7 @@
 #include "adit/io/errors.hpp"
 #include "exit_code.hpp"
 #include "help_format.hpp"
+#include "manual_pages.hpp"
 #include "progress.hpp"
 #include "subcommands.hpp"
 #include "version.hpp"
@@ -66,9 +67,15 @@ ExitCode run(int argc, char** argv) {
 #ifdef ADIT_WITH_GZ
   adit::tools::add_gz(app, exit_code);
 #endif
+  adit::tools::add_merge(app, exit_code);
   adit::tools::add_bench(app, exit_code);
   adit::tools::add_config(app, exit_code);
   try {
+    // For the build alone (cmake/install.cmake): no option of a person's.
+    if (argc == 3 && std::string_view(argv[1]) == "--write-manual") {
+      adit::tools::write_manual(app, argv[2]);
+      return adit::tools::kSuccess;
+    }
     app.parse(argc, argv);
     return exit_code;
   } catch (const CLI::Success& e) {  // --help, --version

@@ -15,6 +15,7 @@
 #include "progress.hpp"
 #include "report_run.hpp"
 #include "run_outputs.hpp"
+#include "run_shard.hpp"
 #include "subcommands.hpp"
 #include "tally.hpp"
 
@@ -29,6 +30,7 @@ struct RunOptions {
   std::string bag_topic;  ///< of the images in bags; "": the only one
   int jobs = static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1u, 256u));
   std::int64_t limit = 0;  ///< 0: none
+  Shard shard;
   bool quiet = false;
 };
 
@@ -59,8 +61,9 @@ class Run {
       : options_(options),
         settings_(line_settings()),
         sources_(sources_of(options.inputs, options.sources, options.bag_topic)),
-        total_(total_of(sources_, options.limit)),
-        outputs_(options.outputs, sources_.front()->rate_hz()),
+        total_(options.shard.is_given() ? std::nullopt : total_of(sources_, options.limit)),
+        output_options_(labelled_outputs()),
+        outputs_(output_options_, sources_.front()->rate_hz()),
         progress_(total_, "frames", options.quiet || table_on_terminal(options.outputs)),
         report_(report_of(options, settings_)),
         line_(
@@ -93,8 +96,23 @@ class Run {
     return report;
   }
 
+  OutputOptions labelled_outputs() const {
+    OutputOptions outputs = options_.outputs;
+    if (options_.shard.is_given())
+      outputs.part =
+          run_label(options_.shard, options_.inputs, sources_of(options_.inputs, options_.sources, options_.bag_topic),
+                    options_.sources.images_hz, settings_);
+    return outputs;
+  }
+
+  /// Is the next item (run_shard.hpp) in this shard?
+  bool is_next_item_ours() {
+    return !output_options_.part || options_.shard.has(next_item_++, output_options_.part->items);
+  }
+
   /// False when the run is to end.
   bool take_source(io::FrameSource& source) {
+    if (source.is_sequence() && !is_next_item_ours()) return true;
     line_.begin_source(source.is_sequence());
     while (!is_interrupted() && (options_.limit == 0 || pushed_ < options_.limit)) {
       std::optional<io::Frame> frame = source.next();
@@ -105,6 +123,7 @@ class Run {
         }
         return true;
       }
+      if (!source.is_sequence() && !is_next_item_ours()) continue;
       line_.push(std::move(*frame));
       ++pushed_;
     }
@@ -142,6 +161,7 @@ class Run {
 
   ExitCode end() {
     const bool interrupted = is_interrupted();
+    if (options_.shard.is_given()) return end_shard();
     const ExitCode code = tally_.exit_code();
     // A run that judged nothing leaves nothing behind; why has been said.
     if (interrupted || tally_.judged() > 0) leave_outputs();
@@ -161,6 +181,17 @@ class Run {
     if (report_) report_->write(wanted.report);
   }
 
+  /// A part is there when it is whole; one without a readable frame is a part too.
+  ExitCode end_shard() {
+    if (is_interrupted()) {
+      print_line("adit: interrupted; half a part is none, run --shard " + options_.shard.text() + " again");
+      return kInterrupted;
+    }
+    outputs_.commit();
+    if (!options_.quiet) print_summary();
+    return tally_.judged() < tally_.frames() || !early_ends_.empty() ? kSomeUnreadable : kSuccess;
+  }
+
   void print_summary() const {
     const double seconds = progress_.elapsed_s();
     char pace[64];
@@ -173,11 +204,13 @@ class Run {
   LineSettings settings_;
   Sources sources_;
   std::optional<std::int64_t> total_;
+  OutputOptions output_options_;
   RunOutputs outputs_;
   Progress progress_;
   Tally tally_;
   std::vector<std::string> early_ends_;
   std::int64_t pushed_ = 0;
+  std::int64_t next_item_ = 0;
   bool mismatch_told_ = false;
   bool doubt_told_ = false;
   std::unique_ptr<RunReport> report_;
@@ -209,6 +242,7 @@ void add_options(CLI::App& run, RunOptions& options) {
   run.add_option("--limit", options.limit, "End after so many frames")
       ->type_name("N")
       ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 40));
+  add_shard_option(run, options.shard);
   run.add_flag("--timing", options.outputs.timing, "A column find_ms");
   run.add_flag("--quiet", options.quiet, "No progress, no summary");
 }
@@ -223,6 +257,7 @@ void add_run(CLI::App& app, ExitCode& exit_code) {
   run->callback([options, &exit_code] {
     make_run_folder(options->outputs);
     check_outputs(options->outputs, options->inputs);
+    check_shard(options->shard, options->outputs, options->inputs, options->limit);
     watch_signals();
     exit_code = Run(*options)();
   });

@@ -59,19 +59,29 @@ void check_outputs(const OutputOptions& options, const std::vector<std::string>&
 RunOutputs::RunOutputs(const OutputOptions& options, double video_rate_hz) : options_(options) {
   const bool nothing_asked =
       options.csv.empty() && options.jsonl.empty() && !options.wants_pictures() && options.report.empty();
-  if (!options.csv.empty() || nothing_asked) {
-    tables_.push_back({io::OutputFile(nothing_asked ? "-" : options.csv), false, io::csv_header(options.timing)});
-  }
-  if (!options.jsonl.empty()) tables_.push_back({io::OutputFile(options.jsonl), true, ""});
+  if (!options.csv.empty() || nothing_asked) add_table(nothing_asked ? "-" : options.csv, false);
+  if (!options.jsonl.empty()) add_table(options.jsonl, true);
   if (!options.video.empty()) video_.emplace(options.video, video_rate_hz);
   if (!options.frames_folder.empty()) io::make_folder(options.frames_folder);
+}
+
+void RunOutputs::add_table(const std::string& path, bool json) {
+  const std::string head = json ? "" : io::csv_header(options_.timing);
+  if (!options_.part) {
+    tables_.push_back({io::OutputFile(path), json, head});
+    return;
+  }
+  PartLabel label = *options_.part;
+  label.kind = json ? "jsonl" : "csv";
+  label.head = head;  // stands at the top of the whole, not of each part
+  tables_.push_back({PartFile(path, label), json, ""});
 }
 
 void RunOutputs::write_row(const io::TableRow& row) {
   for (Table& table : tables_) {
     const std::string line = table.json ? io::json_line(row, options_.timing) : io::csv_line(row, options_.timing);
     if (released_) {
-      table.file.write(line);
+      std::visit([&line](auto& file) { file.write(line); }, table.file);
     } else {
       table.held += line;
     }
@@ -82,7 +92,7 @@ void RunOutputs::release() {
   if (released_) return;
   released_ = true;
   for (Table& table : tables_) {
-    table.file.write(table.held);
+    std::visit([&table](auto& file) { file.write(table.held); }, table.file);
     table.held.clear();
   }
 }
@@ -97,9 +107,9 @@ void RunOutputs::write_frame(std::int64_t number, const std::string& source, con
 void RunOutputs::commit() {
   release();
   // First all bytes reach the disk, then the names appear: a full disk leaves none of them.
-  for (Table& table : tables_) table.file.finish();
+  for (Table& table : tables_) std::visit([](auto& file) { file.finish(); }, table.file);
   if (video_) video_->finish();
-  for (Table& table : tables_) table.file.commit();
+  for (Table& table : tables_) std::visit([](auto& file) { file.commit(); }, table.file);
   if (video_) video_->commit();
 }
 

@@ -3,11 +3,13 @@
 
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "adit/io/output_file.hpp"
 #include "adit/io/table.hpp"
 #include "adit/io/video_file.hpp"
+#include "parts.hpp"
 
 namespace adit::tools {
 
@@ -19,6 +21,7 @@ struct OutputOptions {
   std::string folder;  ///< for headings.csv, settings.yaml, made_by.json
   std::string report;
   bool timing = false;
+  std::optional<PartLabel> part;  ///< the tables are parts of a whole
 
   [[nodiscard]] bool wants_pictures() const { return !video.empty() || !frames_folder.empty(); }
 };
@@ -48,8 +51,10 @@ class RunOutputs {
   void commit();
 
  private:
+  void add_table(const std::string& path, bool json);
+
   struct Table {
-    io::OutputFile file;
+    std::variant<io::OutputFile, PartFile> file;
     bool json;
     std::string held;
   };

@@ -18,6 +18,7 @@ void add_mark(CLI::App& app, ExitCode& exit_code);  ///< the same
 void add_bench(CLI::App& app, ExitCode& exit_code);
 void add_fly(CLI::App& app, ExitCode& exit_code);     ///< only in builds with the simulator
 void add_render(CLI::App& app, ExitCode& exit_code);  ///< the same
+void add_merge(CLI::App& app, ExitCode& exit_code);
 void add_config(CLI::App& app, ExitCode& exit_code);
 void add_gz(CLI::App& app, ExitCode& exit_code);  ///< only where Gazebo's transport is there
 

@@ -68,7 +68,8 @@ grep -q 'missing' "$work/refusal"
 loopback_node_up 2
 job=$(submit "$missing")
 wait_for "$job" 600
-"$adit" merge "$work/array"
+"$adit" merge "$work/array" > "$work/table"
+tail -n 1 "$work/table"
 echo "$flights flights in $shards tasks, one node killed, tasks $missing run again: $((SECONDS - begin)) s"
 tally 1 0 0
 

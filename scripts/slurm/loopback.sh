@@ -63,8 +63,8 @@ loopback_node_up() { slurmd -N "n$1" -f "$SLURM_CONF"; }
 loopback_processes_of() {
   local folder
   for folder in /proc/[0-9]*; do
-    if tr '\0' '\n' < "$folder/environ" 2>/dev/null | grep -qx "SLURMD_NODENAME=n$1" &&
-      tr '\0' '\n' < "$folder/environ" 2>/dev/null | grep -qx "SLURM_CONF=$SLURM_CONF"; then
+    if grep -qzxs "SLURMD_NODENAME=n$1" "$folder/environ" 2>/dev/null &&
+      grep -qzxsF "SLURM_CONF=$SLURM_CONF" "$folder/environ" 2>/dev/null; then
       echo "${folder#/proc/}"
       # The step's keeper, which slurmd started.
       local parent

@@ -19,6 +19,7 @@ quietly ros1-configure cmake -S ros/adit_ros1 -B build/ros1 -G Ninja -DCMAKE_BUI
 quietly ros1-build cmake --build build/ros1 --parallel "$jobs"
 echo "built build/ros1 in $((SECONDS - begin)) s"
 set +u  # catkin's script asks for variables that are not set
+# shellcheck source=/dev/null
 . build/ros1/devel/setup.sh
 set -u
 

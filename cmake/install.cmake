@@ -49,10 +49,11 @@ if(TARGET adit_program)
     set(manual_dir ${PROJECT_BINARY_DIR}/manual)
     add_custom_command(OUTPUT ${manual_dir}/adit.1
       COMMAND ${CMAKE_COMMAND} -E rm -rf ${manual_dir} COMMAND ${CMAKE_COMMAND} -E make_directory ${manual_dir}
-      COMMAND adit_program --write-manual ${manual_dir} DEPENDS adit_program VERBATIM)
+      COMMAND adit_program --write-manual ${manual_dir}
+      COMMAND sh -c "gzip -9nkf ${manual_dir}/*.1" DEPENDS adit_program VERBATIM)
     add_custom_target(adit_manual ALL DEPENDS ${manual_dir}/adit.1)
     install(DIRECTORY ${manual_dir}/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program
-      FILES_MATCHING PATTERN "*.1")
+      FILES_MATCHING PATTERN "*.1.gz")
     install(FILES ${manual_dir}/adit.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME adit
       COMPONENT program)
   endif()

@@ -51,18 +51,18 @@ if(NOT result EQUAL 0)
 endif()
 
 set(about
-" A flying robot in a tunnel has one camera and its own lamp. adit tells it
- where the open space is, and says so when there is none.")
+"A flying robot in a tunnel has one camera and its own lamp. adit tells it
+where the open space is, and says so when there is none.")
 adit_package(library libadit0 libs "" "open space in dark tunnels from one camera - C library"
-  "${about}\n .\n This package holds the shared library with the C interface.")
+  "${about}\n\nThis package holds the shared library with the C interface.")
 adit_package(development libadit-dev libdevel "libadit0 (= ${PROJECT_VERSION}-1)"
   "open space in dark tunnels from one camera - development files"
-  "${about}\n .\n This package holds the headers of the C and C++ interfaces, the C++ libraries\n and the files for CMake and pkg-config.")
+  "${about}\n\nThis package holds the headers of the C and C++ interfaces, the C++ libraries\nand the files for CMake and pkg-config.")
 adit_package(program adit science "" "open space in dark tunnels from one camera - program"
-  "${about}\n .\n This package holds the program: it judges pictures and videos, compares\n methods on marked frames, and flies tunnels in simulation.")
+  "${about}\n\nThis package holds the program: it judges pictures and videos, compares\nmethods on marked frames, and flies tunnels in simulation.")
 adit_package(python python3-adit python "python3-numpy, python3 (>= 3.11), python3 (<< 3.12)"
   "open space in dark tunnels from one camera - Python module"
-  "${about}\n .\n This package holds the module for Python 3.")
+  "${about}\n\nThis package holds the module for Python 3.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS "libopencv-dev, libyaml-cpp-dev, libembree-dev, libassimp-dev")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "gnuplot-nox")
 # ldconfig, without a script: the trigger that Debian's own libraries use.

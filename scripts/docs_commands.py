@@ -116,7 +116,7 @@ def main():
     runs = excused = 0
     faults = []
     for name in sys.argv[2:]:
-        of_file = run_file(pathlib.Path(name).resolve(), adit)
+        of_file = run_file(pathlib.Path(name).absolute(), adit)
         runs, excused, faults = runs + of_file[0], excused + of_file[1], faults + of_file[2]
     for fault in faults:
         print(fault, file=sys.stderr)

@@ -277,6 +277,7 @@ ExitCode fly_many(const FlyWork& work, const FlySettings& settings, const Site& 
   return with_config_faults([&] {
     FlySettings each = settings;
     each.render.threads = 1;
+    const ReportOrigin origin = made_by(each);
     std::vector<std::optional<Flown>> results(work.seeds.size());
     Progress progress(static_cast<std::int64_t>(work.seeds.size()), "flights", work.quiet);
     std::mutex mutex;
@@ -297,7 +298,10 @@ ExitCode fly_many(const FlyWork& work, const FlySettings& settings, const Site& 
             if (outputs) outputs->add(flight);
           });
           if (flown.context.interrupted) return;  // half a flight is no result
-          if (outputs) outputs->commit(flight, summary_json(flown.summary, flown.context));
+          if (outputs) {
+            outputs->commit(flight, summary_json(flown.summary, flown.context));
+            write_origin(std::filesystem::path(work.out) / ("seed_" + std::to_string(work.seeds[i])), origin);
+          }
           const std::lock_guard lock(mutex);
           results[i] = std::move(flown);
           progress.show(++done);

@@ -26,6 +26,7 @@ struct LivePose {
 /// A frame and what was made of it.
 struct LiveFrame {
   cv::Mat pixels;  ///< belongs to the view from now on
+  cv::Mat panel;   ///< instead, of a film: io::side_by_side() of it, with the answer drawn in
   double stamp_s = 0.0;
   OpenSpace open_space;
   std::optional<HeadingCommand> command;

@@ -37,6 +37,9 @@ struct Report {
   ReportOrigin origin;
 };
 
+/// map.png and map.yaml of a folder; nothing where they are not there.
+[[nodiscard]] std::optional<ReportMap> read_map(const std::filesystem::path& folder);
+
 /// Writes the page; it needs nothing but itself. @throws io::OutputError
 void write_report(const std::filesystem::path& path, const Report& report);
 

@@ -61,20 +61,6 @@ ReportTable read_table(const fs::path& path) {
   return table;
 }
 
-std::optional<ReportMap> map_in(const fs::path& folder) {
-  ReportMap map;
-  map.png = text_of(folder / "map.png");
-  const std::string yaml = text_of(folder / "map.yaml");
-  const auto after = [&yaml](const char* key) {
-    const std::size_t at = yaml.find(key);
-    return at == std::string::npos ? "" : yaml.c_str() + at + std::string_view(key).size();
-  };
-  if (map.png.empty() || std::sscanf(after("resolution:"), "%lf", &map.cell_m) != 1 ||
-      std::sscanf(after("origin:"), " [%lf , %lf", &map.x_min_m, &map.y_min_m) != 2)
-    return std::nullopt;
-  return map;
-}
-
 /// Pictures of a film of 'adit fly --video': a picture for each row.
 void add_film(Report& report, const fs::path& film, const std::function<void(std::int64_t)>& on_frame) {
   report.pictures.overlay_is_drawn = true;
@@ -138,6 +124,20 @@ void add_sources(Report& report, const fs::path& folder, const std::function<voi
 
 }  // namespace
 
+std::optional<ReportMap> read_map(const fs::path& folder) {
+  ReportMap map;
+  map.png = text_of(folder / "map.png");
+  const std::string yaml = text_of(folder / "map.yaml");
+  const auto after = [&yaml](const char* key) {
+    const std::size_t at = yaml.find(key);
+    return at == std::string::npos ? "" : yaml.c_str() + at + std::string_view(key).size();
+  };
+  if (map.png.empty() || std::sscanf(after("resolution:"), "%lf", &map.cell_m) != 1 ||
+      std::sscanf(after("origin:"), " [%lf , %lf", &map.x_min_m, &map.y_min_m) != 2)
+    return std::nullopt;
+  return map;
+}
+
 Report report_of_folder(const fs::path& folder, const std::function<void(std::int64_t)>& on_frame) {
   Report report;
   report.table = read_table(table_in(folder));
@@ -146,7 +146,7 @@ Report report_of_folder(const fs::path& folder, const std::function<void(std::in
   std::string name = fs::weakly_canonical(fs::absolute(folder), error).filename().string();
   report.title = (report.table.is_flight() ? "Flight " : "Run ") + name;
   if (report.table.is_flight()) {
-    report.map = map_in(folder);
+    report.map = read_map(folder);
     if (fs::exists(folder / "flight.mp4", error)) {
       add_film(report, folder / "flight.mp4", on_frame);
     } else {

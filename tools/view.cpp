@@ -12,6 +12,7 @@
 #include "interrupt.hpp"
 #include "progress.hpp"
 #include "subcommands.hpp"
+#include "view_replay.hpp"
 #include "view_server.hpp"
 
 namespace adit::tools {
@@ -73,7 +74,7 @@ class Watch {
       const OpenSpace seen = finder_->find(io::view_of(frame->pixels));
       const HeadingCommand command = controller_->update(seen, frame->stamp_s);
       ++judged_;
-      live_->show({std::move(frame->pixels), frame->stamp_s, seen, command, std::nullopt});
+      live_->show({std::move(frame->pixels), cv::Mat(), frame->stamp_s, seen, command, std::nullopt});
     }
   }
 
@@ -91,25 +92,41 @@ class Watch {
   std::int64_t judged_ = 0;
 };
 
-ExitCode run(const Options& options) {
-  watch_signals();
-  const io::Configuration configuration = configuration_of(options.finder);
-  (void)io::open_sources({options.input}, options.source);  // before a page is promised
-  LiveView live(options.input, configuration, true);
-  Watch watch(options, live, configuration);
-  std::int64_t judged = 0;
+/// The page while `watch` works, and after that until a signal.
+template <class Watching>
+ExitCode show(const Options& options, LiveView& live, const Watching& watching) {
+  std::int64_t shown = 0;
   {
     const ViewServer server(live, options.address);
     std::printf("%s\n", server.address().c_str());
     std::fflush(stdout);
     print_line("open the address in a browser, end with Ctrl-C");
     live.say("running");
-    judged = watch();
+    shown = watching();
     live.say("the source has ended");
     while (!is_interrupted()) std::this_thread::sleep_for(std::chrono::milliseconds(50));
   }
-  print_line("adit: " + std::to_string(judged) + " frames were judged");
+  print_line("adit: " + std::to_string(shown) + " frames were shown");
   return kSuccess;
+}
+
+ExitCode run(const Options& options) {
+  watch_signals();
+  if (is_flight_folder(options.input)) {
+    LiveView live("flight in " + options.input, {}, false, plan_of_folder(options.input));
+    return show(options, live, [&] {
+      std::int64_t shown = 0;
+      do {
+        shown += replay_flight(options.input, live);
+      } while (options.loop && !is_interrupted());
+      return shown;
+    });
+  }
+  const io::Configuration configuration = configuration_of(options.finder);
+  (void)io::open_sources({options.input}, options.source);  // before a page is promised
+  LiveView live(options.input, configuration, true);
+  Watch watch(options, live, configuration);
+  return show(options, live, [&] { return watch(); });
 }
 
 }  // namespace
@@ -118,7 +135,7 @@ void add_view(CLI::App& app, ExitCode& exit_code) {
   CLI::App* view = app.add_subcommand("view", "Watch a camera or a recording live, in a page of this machine");
   auto options = std::make_shared<Options>();
   options->source.images_are_sequence = true;
-  view->add_option("source", options->input, "Camera (/dev/videoN), video, folder, pattern or image")
+  view->add_option("source", options->input, "Camera (/dev/videoN), video, images, or a folder of adit fly --out")
       ->required()
       ->type_name("SOURCE");
   add_finder_options(*view, options->finder);

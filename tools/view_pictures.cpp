@@ -77,9 +77,12 @@ void ViewPictures::work() {
       if (!is_watched(kind)) continue;
       std::int64_t& last = drawn[static_cast<std::size_t>(kind)];
       const auto frame = live_->frame_after(last, 0.0, last);
-      if (!frame || frame->pixels.empty()) continue;
+      if (!frame || (frame->pixels.empty() && frame->panel.empty())) continue;
       const io::Configuration configuration = live_->configuration();
-      if (kind == PictureKind::kDepth) {
+      if (!frame->panel.empty()) {
+        const cv::Rect left(0, 0, frame->panel.cols / 2, frame->panel.rows);
+        put(kind, last, kind == PictureKind::kDepth ? frame->panel : frame->panel(left));
+      } else if (kind == PictureKind::kDepth) {
         put(kind, last, depth_picture(*frame, configuration));
       } else {
         cv::Mat picture = io::bgr_of(frame->pixels, configuration.finder.grey16_depth_bits);

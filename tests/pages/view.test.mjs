@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import http from "node:http";
 import net from "node:net";
 import { join } from "node:path";
-import { barriers, closeBrowser, drawnShare, isWiderThanScreen, openBrowser, openPage, serve, source, until }
+import { barriers, closeBrowser, drawnShare, isWiderThanScreen, openBrowser, openPage, run, scratch, serve, source, until }
   from "./browser.mjs";
 
 const clip = join(source, "data/clip.avi");
@@ -53,7 +53,7 @@ test("shows what is seen, live, and ends clean while somebody looks on", async (
   const end = await view.end();
   assert.equal(end.code, 0);
   assert.ok(end.seconds < 8, `${end.seconds} s`);
-  assert.match(view.said(), /\d+ frames were judged/);
+  assert.match(view.said(), /\d+ frames were shown/);
   await until(async () => /has ended/.test(await page.locator("#line").textContent()), "the page says so");
   await page.context().close();
 });
@@ -179,4 +179,19 @@ test("a flight is seen while it is flown, from above too", async () => {
   assert.deepEqual(page.faults, []);
   await page.context().close();
   assert.equal((await view.end()).code, 0);
+});
+
+test("a flight in a folder is played again, with its map", async () => {
+  const at = scratch(), folder = join(at.folder, "bend");
+  await run("fly", "s_bend", "--time", "1", "--quiet", "--video", "--out", folder);
+  const view = await serve("view", folder, "--loop");
+  const page = await openPage(view.address);
+  await until(async () => await page.locator("#status").textContent() === "found", "the gauges move");
+  await until(() => page.evaluate(() => document.getElementById("stream").naturalWidth > 0), "a picture comes");
+  await until(async () => await drawnShare(page, "#plan") > 0.01, "the map is drawn");
+  assert.equal(await page.locator("#settings-section").isVisible(), false);
+  assert.deepEqual(page.faults, []);
+  await page.context().close();
+  assert.equal((await view.end()).code, 0);
+  at.remove();
 });

@@ -25,8 +25,8 @@ std::int16_t weight_of(double elevation_rad, const FinderConfig& config) {
 /// The share of strong openings that are the right ones: some frames show two, or a recess that is as deep.
 constexpr double kConfidenceMax = 0.96;
 
-double confidence_of(double strength, const FinderConfig& config) noexcept {
-  return kConfidenceMax / (1.0 + std::pow(config.strength_even / strength, 1.0 / config.strength_spread));
+double confidence_of(double strength, double most, const FinderConfig& config) noexcept {
+  return most / (1.0 + std::pow(config.strength_even / strength, 1.0 / config.strength_spread));
 }
 
 /// What the answer repeats of its best opening.
@@ -90,28 +90,53 @@ void AditChain::find(const ImageView& frame, const FinderConfig& config, const C
   erode_5(cleaned_, filter_);
   blur(cleaned_, filter_);
   note_levels(out);
-  look_up(cleaned_, table_, light_);
+  const VeilSight veil = veil_fit_.judge(cleaned_);
+  note_flags(config, veil, out);
+  if (out.flags.dust) {
+    veil_fit_.take_off(cleaned_, light_);
+  } else {
+    look_up(cleaned_, table_, light_);
+  }
+  search();
+  out.status = judge_levels(config, out);
+  if (out.status != Status::kFound) return;
+  if (out.flags.dust) {
+    look_through_dust(config, camera, veil, out);
+  } else {
+    weigh_by_relief(veil, out.flags.glare);
+    note_openings(config, kConfidenceMax, camera, out);
+  }
+}
+
+void AditChain::search() noexcept {
   enclosure_of(light_, enclosing_, map_);
   weigh_by_elevation();
   candidates_ = search_openings(map_, depth_, search_);
-  if (out.atmospheric_light < config.too_dark_light_max) {
-    out.status = Status::kTooDark;
-  } else if (out.darkest_level >= config.too_bright_level_min) {
-    out.status = Status::kTooBright;
-  } else if (out.brightest_level - out.darkest_level < config.contrast_levels_min) {
-    out.status = Status::kNoContrast;
-  } else {
-    note_openings(config, camera, out);
-  }
-  if (out.status != Status::kFound && out.status != Status::kNoOpening) return;
-  const VeilSight veil = veil_fit_.judge(cleaned_);
-  note_flags(config, veil, out);
-  if (out.status == Status::kNoOpening && out.flags.dust) note_way_through_dust(camera, veil, out);
+}
+
+Status AditChain::judge_levels(const FinderConfig& config, const OpenSpace& out) const noexcept {
+  if (out.atmospheric_light < config.too_dark_light_max) return Status::kTooDark;
+  if (out.darkest_level >= config.too_bright_level_min) return Status::kTooBright;
+  if (out.brightest_level - out.darkest_level < config.contrast_levels_min) return Status::kNoContrast;
+  return Status::kFound;
+}
+
+/// A wall ahead is smooth: one broad lobe accounts for most of its light. In a passage the rock falls off from near to
+/// far, and much of the frame stands high over the lobe through its darkest parts. Every step of kSmoothStep in the
+/// lobe's share asks for an opening twice as strong; kSmoothWall is where a passage and a wall are equally likely
+/// (rendered passages 0.12 to 0.5, walls from 1 to 6 m 0.43 to 0.68).
+constexpr double kSmoothWall = 0.45, kSmoothStep = 0.15;
+constexpr double kReliefMin = 0.3, kReliefMax = 1.4;
+
+void AditChain::weigh_by_relief(const VeilSight& veil, bool glare) noexcept {
+  double relief = std::clamp(std::exp2((kSmoothWall - veil.fraction) / kSmoothStep), kReliefMin, kReliefMax);
+  if (glare) relief = std::max(relief, 1.0);  // a lamp in the passage lights it, and it is less deep than it would be
+  for (int i = 0; i < candidates_.count; ++i) candidates_.list[static_cast<std::size_t>(i)].strength *= relief;
 }
 
 /// Rock that exceeds the veil by less than this in nine tenths of the frame is not seen: it is what the tone curve's
 /// rounding to whole levels makes of a smooth lobe.
-constexpr double kNoRock = 0.06;
+constexpr double kNoRock = 0.025;
 /// Cells at the end of the range, of which a lamp in view has few; the wall in the vehicle's own light may have many.
 constexpr int kSaturated = 250 * kLevelParts;
 constexpr double kTooBrightShare = 0.25;
@@ -128,6 +153,7 @@ void AditChain::note_flags(const FinderConfig& config, const VeilSight& veil, Op
   constexpr int kAway = 6;  // cells: a lamp's halo has fallen to less than half there, a lit wall's light has not
   for (int v = 0; v < level_.height; ++v) {
     const std::int16_t* row = level_.row(v);
+    if (*std::max_element(row, row + level_.width) < kSaturated) continue;
     for (int u = 0; u < level_.width; ++u) {
       if (row[u] < kSaturated) continue;
       ++saturated;
@@ -141,11 +167,26 @@ void AditChain::note_flags(const FinderConfig& config, const VeilSight& veil, Op
   out.flags.too_bright = saturated > kTooBrightShare * static_cast<double>(level_.values.size());
 }
 
+/// Twice what clear air asks for: what is left of the rock when the veil is off is as noisy as the veil.
+constexpr double kStrengthInDust = 0.4;
+/// The share of strong openings in rendered dust of 0.04 to 0.25 1/m that were within 10 deg of the deepest direction.
+constexpr double kConfidenceInDust = 0.65;
+
+void AditChain::look_through_dust(const FinderConfig& config, const Camera& camera, const VeilSight& veil,
+                                  OpenSpace& out) noexcept {
+  out.status = Status::kNoOpening;
+  note_way_through_dust(camera, veil, out);
+  if (!out.found()) return;  // rock stands where the air should be alone
+  if (candidates_.count == 0 || candidates_.list[0].strength < kStrengthInDust) return;
+  out.opening_count = 0;
+  note_openings(config, kConfidenceInDust, camera, out);
+}
+
 /// In dust that hides the rim of the way on. Not where rock is seen in the middle: that is a wall.
 void AditChain::note_way_through_dust(const Camera& camera, const VeilSight& veil, OpenSpace& out) const noexcept {
   // Rock that adds a quarter to the veil where the air should be alone, or air alone in less than three directions of
   // ten: something stands in the way.
-  constexpr double kRockMax = 0.25, kOpenShareMin = 0.3;
+  constexpr double kRockMax = 0.25, kOpenShareMin = 0.25;
   // In rendered dust of 0.04 to 0.25 1/m one coarse heading in two was within 10 deg (docs/method.md).
   constexpr double kVeilConfidence = 0.5;
   if (veil.rock_high < kNoRock) {
@@ -186,14 +227,19 @@ void AditChain::weigh_by_elevation() noexcept {
 }
 
 void AditChain::note_levels(OpenSpace& out) noexcept {
-  const auto [least, most] = std::minmax_element(cleaned_.values.begin(), cleaned_.values.end());
-  out.darkest_level = *least / kLevelParts;
-  out.brightest_level = *most / kLevelParts;
+  std::int16_t least = kLevelPartsMax, most = 0;  // by hand: std::minmax_element does not become vector code
+  for (const std::int16_t level : cleaned_.values) {
+    least = level < least ? level : least;
+    most = level > most ? level : most;
+  }
+  out.darkest_level = least / kLevelParts;
+  out.brightest_level = most / kLevelParts;
   out.threshold_level = out.darkest_level;
-  out.atmospheric_light = static_cast<double>(*most) / kLevelParts;
+  out.atmospheric_light = static_cast<double>(most) / kLevelParts;
 }
 
-void AditChain::note_openings(const FinderConfig& config, const Camera& camera, OpenSpace& out) noexcept {
+void AditChain::note_openings(const FinderConfig& config, double confidence_max, const Camera& camera,
+                              OpenSpace& out) noexcept {
   const double cells = static_cast<double>(grid_.width()) * grid_.height();
   for (int i = 0; i < candidates_.count; ++i) {
     const Candidate& from = candidates_.list[static_cast<std::size_t>(i)];
@@ -204,7 +250,7 @@ void AditChain::note_openings(const FinderConfig& config, const Camera& camera, 
     to.bearing = camera.bearing_of(to.centroid_px);
     to.area_fraction = from.cells / cells;
     to.score = std::min(1.0, from.strength / 4.0);
-    to.confidence = confidence_of(from.strength, config);
+    to.confidence = confidence_of(from.strength, confidence_max, config);
     to.contrast = 1.0 - std::exp2(-static_cast<double>(from.peak) / kStop);
     to.top_left_px = {static_cast<double>(grid_.first_u(from.left)), static_cast<double>(grid_.first_v(from.top))};
     to.bottom_right_px = {grid_.first_u(from.right + 1) - 1.0, grid_.first_v(from.bottom + 1) - 1.0};

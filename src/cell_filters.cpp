@@ -3,52 +3,42 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernels/pixel_loops.hpp"
+
 namespace adit {
 namespace {
 
-struct Smaller {
-  std::int16_t operator()(std::int16_t a, std::int16_t b) const noexcept { return a < b ? a : b; }
-};
-struct Larger {
-  std::int16_t operator()(std::int16_t a, std::int16_t b) const noexcept { return a > b ? a : b; }
-};
+using Of3 = void (*)(const std::int16_t*, const std::int16_t*, const std::int16_t*, std::int16_t*, int);
 
-/// out[x] = best of the three neighbours in a row; at the ends of two.
-template <class Best>
-void best_of_3_across(const std::int16_t* in, std::int16_t* out, int width, Best best) noexcept {
-  out[0] = best(in[0], in[std::min(1, width - 1)]);
-  for (int x = 1; x + 1 < width; ++x) out[x] = best(best(in[x - 1], in[x]), in[x + 1]);
-  out[width - 1] = best(in[std::max(0, width - 2)], in[width - 1]);
+/// A row with `margin` copies of its outermost values before and behind it.
+const std::int16_t* padded(const std::int16_t* row, int width, int margin, FilterScratch& scratch) noexcept {
+  std::int16_t* const line = scratch.line.data();
+  std::fill_n(line, margin, row[0]);
+  std::copy_n(row, width, line + margin);
+  std::fill_n(line + margin + width, margin, row[width - 1]);
+  return line;
 }
 
-template <class Best>
-void filter_3(CellPlane& plane, FilterScratch& scratch, Best best) noexcept {
-  const int width = plane.width;
-  for (int v = 0; v < plane.height; ++v) best_of_3_across(plane.row(v), scratch.plane.row(v), width, best);
-  for (int v = 0; v < plane.height; ++v) {
-    const std::int16_t* above = scratch.plane.row(std::max(0, v - 1));
-    const std::int16_t* middle = scratch.plane.row(v);
-    const std::int16_t* below = scratch.plane.row(std::min(plane.height - 1, v + 1));
-    std::int16_t* out = plane.row(v);
-    for (int x = 0; x < width; ++x) out[x] = best(best(above[x], middle[x]), below[x]);
+void filter_3(CellPlane& plane, FilterScratch& scratch, Of3 of_3) noexcept {
+  const int width = plane.width, last = plane.height - 1;
+  for (int v = 0; v <= last; ++v) {
+    const std::int16_t* const line = padded(plane.row(v), width, 1, scratch);
+    of_3(line, line + 1, line + 2, scratch.plane.row(v), width);
   }
-}
-
-std::int16_t binomial(int a, int b, int c, int d, int e) noexcept {
-  return static_cast<std::int16_t>((a + e + 4 * (b + d) + 6 * c + 8) >> 4);
-}
-
-void blur_across(const std::int16_t* in, std::int16_t* out, int width, std::int16_t* line) noexcept {
-  std::copy_n(in, width, line + 2);
-  line[0] = line[1] = in[0];
-  line[width + 2] = line[width + 3] = in[width - 1];
-  for (int x = 0; x < width; ++x) out[x] = binomial(line[x], line[x + 1], line[x + 2], line[x + 3], line[x + 4]);
+  for (int v = 0; v <= last; ++v) {
+    const CellPlane& across = scratch.plane;
+    of_3(across.row(std::max(0, v - 1)), across.row(v), across.row(std::min(last, v + 1)), plane.row(v), width);
+  }
 }
 
 }  // namespace
 
-void erode_3(CellPlane& plane, FilterScratch& scratch) noexcept { filter_3(plane, scratch, Smaller()); }
-void dilate_3(CellPlane& plane, FilterScratch& scratch) noexcept { filter_3(plane, scratch, Larger()); }
+void erode_3(CellPlane& plane, FilterScratch& scratch) noexcept {
+  filter_3(plane, scratch, kernels::pixel_loops().cells.smallest_of_3);
+}
+void dilate_3(CellPlane& plane, FilterScratch& scratch) noexcept {
+  filter_3(plane, scratch, kernels::pixel_loops().cells.largest_of_3);
+}
 
 void erode_5(CellPlane& plane, FilterScratch& scratch) noexcept {
   erode_3(plane, scratch);
@@ -61,13 +51,17 @@ void dilate_5(CellPlane& plane, FilterScratch& scratch) noexcept {
 }
 
 void blur(CellPlane& plane, FilterScratch& scratch) noexcept {
-  const int last = plane.height - 1;
-  for (int v = 0; v <= last; ++v) blur_across(plane.row(v), scratch.plane.row(v), plane.width, scratch.line.data());
+  const auto binomial = kernels::pixel_loops().cells.binomial_of_5;
+  const int width = plane.width, last = plane.height - 1;
+  for (int v = 0; v <= last; ++v) {
+    const std::int16_t* const line = padded(plane.row(v), width, 2, scratch);
+    const std::int16_t* const neighbours[] = {line, line + 1, line + 2, line + 3, line + 4};
+    binomial(neighbours, scratch.plane.row(v), width);
+  }
   for (int v = 0; v <= last; ++v) {
     const auto line = [&](int at) { return scratch.plane.row(std::clamp(at, 0, last)); };
-    const std::int16_t *a = line(v - 2), *b = line(v - 1), *c = line(v), *d = line(v + 1), *e = line(v + 2);
-    std::int16_t* out = plane.row(v);
-    for (int x = 0; x < plane.width; ++x) out[x] = binomial(a[x], b[x], c[x], d[x], e[x]);
+    const std::int16_t* const neighbours[] = {line(v - 2), line(v - 1), line(v), line(v + 1), line(v + 2)};
+    binomial(neighbours, plane.row(v), width);
   }
 }
 

@@ -8,8 +8,8 @@ namespace adit {
 /// What enclosure_of works in.
 struct EnclosureScratch {
   EnclosureScratch(int width, int height);
-  std::array<CellPlane, 3> from_below;           ///< of the rays down, down left, down right
-  std::array<std::vector<std::int16_t>, 8> met;  ///< by the rays of one row
+  std::array<CellPlane, 3> from_below;             ///< of the rays down, down left, down right
+  std::array<std::vector<std::int16_t>, 2> along;  ///< of the rays to the left and to the right
   std::array<std::vector<std::int16_t>, 3> from_above;
   std::array<std::vector<std::int16_t>, 3> above_before;
 };

@@ -17,7 +17,12 @@ constexpr double kSlenderness = 0.2;
 class Flood {
  public:
   Flood(const CellPlane& map, const CellPlane& depth, SearchScratch& scratch) noexcept
-      : width_(map.width), stride_(map.width + 2), depth_(depth), scratch_(scratch) {}
+      : width_(map.width),
+        stride_(map.width + 2),
+        per_row_(((std::uint64_t{1} << 32) + static_cast<std::uint64_t>(stride_) - 1) /
+                 static_cast<std::uint64_t>(stride_)),
+        depth_(depth),
+        scratch_(scratch) {}
 
   /// Takes the cells that are nobody's, connected with `start`, with at least `level`.
   Candidate region(std::int32_t start, int level, std::uint8_t owner) noexcept {
@@ -25,15 +30,17 @@ class Flood {
     out.left = width_;
     out.top = depth_.height;
     double weights = 0.0;
-    length_ = 0;
-    push(start, owner);
-    for (std::size_t at = 0; at < length_; ++at) {
-      const std::int32_t cell = scratch_.queue[at];
-      add(cell, out, weights);
+    const View on = view();
+    std::size_t length = 0;
+    on.push(start, owner, length);
+    for (std::size_t at = 0; at < length; ++at) {
+      const std::int32_t cell = on.queue[at];
+      add(cell, on.value[cell], out, weights);
       for (const std::int32_t next : {cell - 1, cell + 1, cell - stride_, cell + stride_}) {
-        if (owner_of(next) == 0 && value(next) >= level) push(next, owner);
+        if (on.owner[next] == 0 && on.value[next] >= level) on.push(next, owner, length);
       }
     }
+    length_ = length;
     out.u /= weights;
     out.v /= weights;
     return out;
@@ -41,25 +48,36 @@ class Flood {
 
   /// From the region just taken, the cells downhill.
   void slope() noexcept {
-    for (std::size_t at = 0; at < length_; ++at) {
-      const std::int32_t cell = scratch_.queue[at];
+    const View on = view();
+    std::size_t length = length_;
+    for (std::size_t at = 0; at < length; ++at) {
+      const std::int32_t cell = on.queue[at];
+      const std::int16_t here = on.value[cell];
       for (const std::int32_t next : {cell - 1, cell + 1, cell - stride_, cell + stride_}) {
-        if (owner_of(next) == 0 && value(next) <= value(cell)) push(next, kSlope);
+        if (on.owner[next] == 0 && on.value[next] <= here) on.push(next, kSlope, length);
       }
     }
   }
 
  private:
-  [[nodiscard]] int value(std::int32_t cell) const noexcept { return scratch_.value[static_cast<std::size_t>(cell)]; }
-  [[nodiscard]] std::uint8_t& owner_of(std::int32_t cell) noexcept {
-    return scratch_.owner[static_cast<std::size_t>(cell)];
+  /// Plain pointers in the loops: a byte written may be part of anything, so that members would be read again.
+  struct View {
+    std::uint8_t* owner;
+    const std::int16_t* value;
+    std::int32_t* queue;
+
+    void push(std::int32_t cell, std::uint8_t mark, std::size_t& length) const noexcept {
+      owner[cell] = mark;
+      queue[length++] = cell;
+    }
+  };
+  [[nodiscard]] View view() const noexcept {
+    return {scratch_.owner.data(), scratch_.value.data(), scratch_.queue.data()};
   }
-  void push(std::int32_t cell, std::uint8_t owner) noexcept {
-    owner_of(cell) = owner;
-    scratch_.queue[length_++] = cell;
-  }
-  void add(std::int32_t cell, Candidate& out, double& weights) noexcept {
-    const int u = cell % stride_ - 1, v = cell / stride_ - 1;
+  void add(std::int32_t cell, int value, Candidate& out, double& weights) const noexcept {
+    // A product in place of the division: exact for fewer than 2^16 cells, of which the grid has half.
+    const auto row = static_cast<int>((static_cast<std::uint64_t>(cell) * per_row_) >> 32);
+    const int u = cell - row * stride_ - 1, v = row - 1;
     const double depth = depth_.row(v)[u];
     const double weight = depth * depth * depth * depth + 1.0;
     out.u += weight * u;
@@ -70,11 +88,12 @@ class Flood {
     out.top = std::min(out.top, v);
     out.bottom = std::max(out.bottom, v);
     ++out.cells;
-    out.peak = std::max(out.peak, value(cell));
+    out.peak = std::max(out.peak, value);
   }
 
   int width_;
   int stride_;
+  std::uint64_t per_row_;  ///< 2^32 over the stride, upwards
   const CellPlane& depth_;
   SearchScratch& scratch_;
   std::size_t length_ = 0;
@@ -84,8 +103,11 @@ void start(const CellPlane& map, SearchScratch& scratch) noexcept {
   const std::ptrdiff_t stride = map.width + 2;
   std::fill(scratch.owner.begin(), scratch.owner.end(), kSlope);
   for (int v = 0; v < map.height; ++v) {
-    std::fill_n(scratch.owner.data() + (v + 1) * stride + 1, map.width, std::uint8_t{0});
-    std::copy_n(map.row(v), map.width, scratch.value.data() + (v + 1) * stride + 1);
+    const std::int16_t* const from = map.row(v);
+    std::uint8_t* const owner = scratch.owner.data() + (v + 1) * stride + 1;
+    // Half of any peak is above: no place holds such a cell, and no way down from one has to go on through it.
+    for (int u = 0; u < map.width; ++u) owner[u] = from[u] < kPeakMin / 2 ? kSlope : std::uint8_t{0};
+    std::copy_n(from, map.width, scratch.value.data() + (v + 1) * stride + 1);
     scratch.row_peak[static_cast<std::size_t>(v)] = *std::max_element(map.row(v), map.row(v) + map.width);
   }
 }

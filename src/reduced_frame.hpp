@@ -39,6 +39,8 @@ class CellGrid {
   /// First pixel column of a cell; cell == width() gives the frame's width.
   [[nodiscard]] int first_u(int cell) const noexcept { return first_u_[static_cast<std::size_t>(cell)]; }
   [[nodiscard]] int first_v(int cell) const noexcept { return first_v_[static_cast<std::size_t>(cell)]; }
+  /// Every cell is four pixels wide.
+  [[nodiscard]] bool cells_of_four() const noexcept { return cells_of_four_; }
   /// The place in the frame, in px, of a place in the grid, in cells (centres of cells at integers).
   [[nodiscard]] double u_px(double cell) const noexcept { return place(first_u_, cell); }
   [[nodiscard]] double v_px(double cell) const noexcept { return place(first_v_, cell); }
@@ -47,6 +49,7 @@ class CellGrid {
   static double place(const std::vector<int>& first, double cell) noexcept;
   std::vector<int> first_u_;
   std::vector<int> first_v_;
+  bool cells_of_four_;
 };
 
 /// Scratch of one row each.

@@ -28,6 +28,12 @@ struct VeilSight {
   double rock_at_place = 0.0;  ///< mean light of rock over that of the veil about (u, v)
 };
 
+/// What the logarithm of the veil is made of: 1, u, v, u^2, v^2 over the half width, and flood_term. Narrow beams are
+/// bells, wide ones powers of the cosine; in rendered dust the six leave 0.01 to 0.03, the first five 0.03 with the
+/// middle too dark.
+inline constexpr std::size_t kLobeTerms = 6;
+using LobeTerms = std::array<double, kLobeTerms>;
+
 class VeilFit {
  public:
   VeilFit(const CellGrid& grid, const Camera& camera, const FinderConfig& config);
@@ -35,18 +41,27 @@ class VeilFit {
   /// @param levels  parts of a grey level, cleaned. Allocates nothing.
   [[nodiscard]] VeilSight judge(const CellPlane& levels) noexcept;
 
- private:
-  using Coefficients = std::array<double, 5>;  ///< of 1, u, v, u^2, v^2; log of light
+  /// What the rock adds to the veil, as a share of the veil, of the frame judged last. Lamp and lens shape veil and
+  /// rock alike, so the share depends on range and rock alone: it falls with range, to nothing where dust hides all.
+  /// @param levels  as given to judge(); @param rock  binary logarithm of the share, parts of a stop, not below what
+  /// noise leaves of it.
+  void take_off(const CellPlane& levels, CellPlane& rock) noexcept;
 
+ private:
   void gather(const CellPlane& levels) noexcept;
-  [[nodiscard]] Coefficients fit() noexcept;
+  [[nodiscard]] LobeTerms fit() noexcept;
   void place(VeilSight& out) noexcept;
 
-  int block_;                             ///< cells along the side of a block
-  int width_;                             ///< blocks
-  int height_;                            ///< blocks
-  std::array<double, 4097> log_light_{};  ///< by parts of a level
-  std::vector<std::array<double, 5>> terms_;
+  LobeTerms lobe_{};                                    ///< of the frame judged last
+  int block_;                                           ///< cells along the side of a block
+  int width_;                                           ///< blocks
+  int height_;                                          ///< blocks
+  std::array<double, 4097> log_light_{};                ///< by parts of a level
+  std::array<float, 4097> noise_{};                     ///< of a level's light as a share of it
+  std::array<std::int16_t, 8 * 1024 + 1> log_share_{};  ///< by parts of the share, parts of a stop
+  std::vector<float> of_column_;                        ///< what the lobe owes to each column of cells
+  std::vector<float> flood_terms_;                      ///< of each cell
+  std::vector<LobeTerms> terms_;
   std::vector<double> weight_;  ///< of the direction of each block
   std::vector<double> log_;     ///< of the light of each block
   std::vector<double> rock_;    ///< over veil, >= 0

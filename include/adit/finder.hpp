@@ -56,7 +56,7 @@ struct FinderConfig {
   double noise_level = 2.0;
   double horizon_spread_deg = 12.0;
   double horizon_floor = 0.15;
-  double opening_strength_min = 0.2;
+  double opening_strength_min = 0.22;
   double dust_veil_min = 0.7;
   double strength_even = 0.27;
   double strength_spread = 0.2;

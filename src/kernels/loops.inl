@@ -295,6 +295,8 @@ constexpr OrderLoops order_loops(SweepLoops round, SweepLoops square) {
   return {join<Order>, fold<Order>, gather<Order>, compare_cells<Order>, round, square};
 }
 
+#include "cell_loops.inl"
+
 constexpr PixelLoops kLoops = {Bytes::kLanes,
                                order_loops<Smallest>(kRoundErosions, kSquareErosions),
                                order_loops<Largest>(kRoundDilations, {}),
@@ -304,4 +306,5 @@ constexpr PixelLoops kLoops = {Bytes::kLanes,
                                count_levels,
                                count_tail,
                                count_mask,
-                               sum_where_bright};
+                               sum_where_bright,
+                               kCellLoops};

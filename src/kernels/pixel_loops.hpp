@@ -62,6 +62,22 @@ struct BrightTail {
   std::uint32_t counters[256]{};  ///< right for levels from `floor` on
 };
 
+/// Loops over rows of cells. `out` is none of the others.
+struct CellLoops {
+  /// out[x] = smallest (largest) of a[x], b[x], c[x].
+  void (*smallest_of_3)(const std::int16_t* a, const std::int16_t* b, const std::int16_t* c, std::int16_t* out,
+                        int width);
+  void (*largest_of_3)(const std::int16_t* a, const std::int16_t* b, const std::int16_t* c, std::int16_t* out,
+                       int width);
+  /// Weights 1 4 6 4 1 over 16, rounded; values 0 to 4080.
+  void (*binomial_of_5)(const std::int16_t* const* rows, std::int16_t* out, int width);
+  /// out[x] = larger of light[x] and met[x], less `step`.
+  void (*carry_rays)(const std::int16_t* light, const std::int16_t* met, int step, std::int16_t* out, int width);
+  /// Of eight values a cell, none taken for less than light[x]: the mean of the second, third and (twice) fourth
+  /// smallest, less light[x].
+  void (*rate_rises)(const std::int16_t* const* met, const std::int16_t* light, std::int16_t* out, int width);
+};
+
 struct PixelLoops {
   int lanes;  ///< bytes of a vector
   OrderLoops smallest;
@@ -84,6 +100,7 @@ struct PixelLoops {
   /// Sum of all channels of the pixels whose `dark` is at least `level`; `channels` is 3, or 1 for 8-bit grey.
   std::uint64_t (*sum_where_bright)(const std::uint8_t* from, int channels, const std::uint8_t* dark,
                                     std::uint8_t level, int width);
+  CellLoops cells;
 };
 
 /// The loops of the target in use (cpu_target.hpp).

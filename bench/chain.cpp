@@ -16,11 +16,11 @@ void find_with(benchmark::State& state, const Scene& scene, const FinderConfig& 
   for (auto _ : state) benchmark::DoNotOptimize(finder.find(scene.view()));
 }
 
-void run_find(benchmark::State& state, const Scene& scene) { find_with(state, scene, FinderConfig{}); }
+void run_find(benchmark::State& state, const Scene& scene) { find_with(state, scene, paper_preset()); }
 
 /// How little the cost grows with the radius.
 void run_find_101(benchmark::State& state, const Scene& scene) {
-  FinderConfig config;
+  FinderConfig config = paper_preset();
   config.patch_size_px = 101;
   config.structuring_element_size_px = 101;
   find_with(state, scene, config);

@@ -68,7 +68,7 @@ void run_moments(benchmark::State& state, const Scene& scene) {
 template <class Chain>
 void run_chain(benchmark::State& state, const Scene& scene) {
   const cv::Mat frame = as_mat(scene.view());
-  Chain chain(FinderConfig{}, frame.size());
+  Chain chain(paper_preset(), frame.size());
   for (auto _ : state) benchmark::DoNotOptimize(chain.find(frame));
 }
 

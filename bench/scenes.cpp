@@ -8,8 +8,8 @@ namespace adit::bench {
 namespace {
 
 /// Sizes as the finder's defaults scale them.
-int patch_size_px(int width) { return scaled_size_px(FinderConfig{}.patch_size_vga_px, width); }
-int element_size_px(int width) { return scaled_size_px(FinderConfig{}.structuring_element_size_vga_px, width); }
+int patch_size_px(int width) { return scaled_size_px(paper_preset().patch_size_vga_px, width); }
+int element_size_px(int width) { return scaled_size_px(paper_preset().structuring_element_size_vga_px, width); }
 
 std::string name_of(reference::Content content, int width, int height) {
   std::string name = std::to_string(width);
@@ -25,7 +25,7 @@ Scene::Scene(reference::Content content, int width, int height)
       element(StructuringElement::ellipse(element_size_px(width), element_size_px(width))),
       dark(width, height),
       closed(width, height) {
-  const FinderConfig config;
+  const FinderConfig config = paper_preset();
   MorphologyScratch buffers = scratch();
   dark_channel(view(), patch, config.grey16_depth_bits, dark.view(), buffers);
   close(dark.view(), element, closed.view(), buffers);

@@ -21,7 +21,7 @@ void run_dark_channel(benchmark::State& state, const Scene& scene) {
 }
 
 void run_atmospheric_light(benchmark::State& state, const Scene& scene) {
-  const double fraction = FinderConfig{}.atmospheric_light_fraction;
+  const double fraction = paper_preset().atmospheric_light_fraction;
   for (auto _ : state) benchmark::DoNotOptimize(atmospheric_light(scene.view(), 16, scene.dark.view(), fraction));
 }
 

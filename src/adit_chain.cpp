@@ -67,12 +67,21 @@ AditChain::AditChain(const FinderConfig& config, const Camera& camera, int frame
       enclosing_(grid_.width(), grid_.height()),
       search_(grid_.width(), grid_.height()),
       veil_fit_(grid_, camera, config),
-      level_(grid_.width(), grid_.height()),
+      lamp_(grid_.width(), grid_.height()),
+      other_level_(lamp_),
+      level_(lamp_),
       cleaned_(level_),
       light_(level_),
       map_(level_),
       depth_(level_) {
   make_light_table(config.light_gamma, config.noise_level, table_);
+  const double aspect = static_cast<double>(frame_height_px) / frame_width_px;
+  for (int v = 0; v < grid_.height(); ++v) {
+    for (int u = 0; u < grid_.width(); ++u) {
+      const double x = (u + 0.5) / grid_.width() * 2.0 - 1.0, y = ((v + 0.5) / grid_.height() * 2.0 - 1.0) * aspect;
+      lamp_terms_.push_back(lobe_terms(camera, x, y, {grid_.u_px(u), grid_.v_px(v)}));
+    }
+  }
   elevation_weight_.reserve(static_cast<std::size_t>(grid_.height()));
   const double middle_u_px = 0.5 * (frame_width_px - 1);
   for (int v = 0; v < grid_.height(); ++v) {
@@ -80,15 +89,13 @@ AditChain::AditChain(const FinderConfig& config, const Camera& camera, int frame
   }
 }
 
-void AditChain::find(const ImageView& frame, const FinderConfig& config, const Camera& camera,
-                     OpenSpace& out) noexcept {
+void AditChain::take(const ImageView& frame, const FinderConfig& config) noexcept {
   reduce(frame, config.grey16_depth_bits, grid_, rows_, level_);
+}
+
+void AditChain::find(const FinderConfig& config, const Camera& camera, OpenSpace& out) noexcept {
   cleaned_.values = level_.values;
-  erode_3(cleaned_, filter_);  // specks of light smaller than three cells go: reflectors, lamps far away
-  dilate_3(cleaned_, filter_);
-  dilate_5(cleaned_, filter_);  // dark lines thinner than five cells go: cables, pipes, cracks
-  erode_5(cleaned_, filter_);
-  blur(cleaned_, filter_);
+  clean();
   note_levels(out);
   const VeilSight veil = veil_fit_.judge(cleaned_);
   note_flags(config, veil, out);
@@ -96,9 +103,11 @@ void AditChain::find(const ImageView& frame, const FinderConfig& config, const C
     veil_fit_.take_off(cleaned_, light_);
   } else {
     look_up(cleaned_, table_, light_);
+    if (lamp_known_) brighten_outside_beam();
   }
   search();
   out.status = judge_levels(config, out);
+  light_usable_ = !out.flags.dust && out.status == Status::kFound;
   if (out.status != Status::kFound) return;
   if (out.flags.dust) {
     look_through_dust(config, camera, veil, out);
@@ -106,6 +115,14 @@ void AditChain::find(const ImageView& frame, const FinderConfig& config, const C
     weigh_by_relief(veil, out.flags.glare);
     note_openings(config, kConfidenceMax, camera, out);
   }
+}
+
+void AditChain::clean() noexcept {
+  erode_3(cleaned_, filter_);  // specks of light smaller than three cells go: reflectors, lamps far away
+  dilate_3(cleaned_, filter_);
+  dilate_5(cleaned_, filter_);  // dark lines thinner than five cells go: cables, pipes, cracks
+  erode_5(cleaned_, filter_);
+  blur(cleaned_, filter_);
 }
 
 void AditChain::search() noexcept {
@@ -126,7 +143,7 @@ Status AditChain::judge_levels(const FinderConfig& config, const OpenSpace& out)
 /// lobe's share asks for an opening twice as strong; kSmoothWall is where a passage and a wall are equally likely
 /// (rendered passages 0.12 to 0.5, walls from 1 to 6 m 0.43 to 0.68).
 constexpr double kSmoothWall = 0.45, kSmoothStep = 0.15;
-constexpr double kReliefMin = 0.3, kReliefMax = 1.4;
+constexpr double kReliefMin = 0.5, kReliefMax = 1.4;
 
 void AditChain::weigh_by_relief(const VeilSight& veil, bool glare) noexcept {
   double relief = std::clamp(std::exp2((kSmoothWall - veil.fraction) / kSmoothStep), kReliefMin, kReliefMax);
@@ -137,6 +154,9 @@ void AditChain::weigh_by_relief(const VeilSight& veil, bool glare) noexcept {
 /// Rock that exceeds the veil by less than this in nine tenths of the frame is not seen: it is what the tone curve's
 /// rounding to whole levels makes of a smooth lobe.
 constexpr double kNoRock = 0.025;
+/// A dark place shows at least the veil before it, so it bounds how much veil there can be; noise and the lobe's misfit
+/// may take a quarter off.
+constexpr double kUndercutNoise = 1.3;
 /// Cells at the end of the range, of which a lamp in view has few; the wall in the vehicle's own light may have many.
 constexpr int kSaturated = 250 * kLevelParts;
 constexpr double kTooBrightShare = 0.25;
@@ -144,8 +164,8 @@ constexpr double kTooBrightShare = 0.25;
 constexpr double kFaint_level = 24.0;
 
 void AditChain::note_flags(const FinderConfig& config, const VeilSight& veil, OpenSpace& out) const noexcept {
-  out.veil_fraction = veil.fraction;
-  out.flags.dust = veil.fraction >= config.dust_veil_min;
+  out.veil_fraction = veil.fraction * std::min(1.0, kUndercutNoise * veil.undercut);
+  out.flags.dust = out.veil_fraction >= config.dust_veil_min;
   out.flags.blocked_lens = out.flags.dust && veil.rock_high < kNoRock && !veil.lobe_in_frame;
   out.flags.too_dark = out.atmospheric_light < kFaint_level;
   int saturated = 0;

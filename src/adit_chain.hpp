@@ -14,13 +14,22 @@ class AditChain {
  public:
   AditChain(const FinderConfig& config, const Camera& camera, int frame_width_px, int frame_height_px);
 
-  /// Judges a frame of the size given; fills in everything of `out` but the times. Allocates nothing.
-  void find(const ImageView& frame, const FinderConfig& config, const Camera& camera, OpenSpace& out) noexcept;
+  /// Makes cells of a frame of the size given. Allocates nothing, nor does any of what follows but draw().
+  void take(const ImageView& frame, const FinderConfig& config) noexcept;
+  /// Makes cells of what is brighter in the brighter of two frames: the lamp's own light.
+  void take_pair(const ImageView& one, const ImageView& other, const FinderConfig& config) noexcept;
+  /// Judges the cells; fills in everything of `out` but the times.
+  void find(const FinderConfig& config, const Camera& camera, OpenSpace& out) noexcept;
+
+  void set_lamp(const LampPattern& pattern) noexcept;
+  [[nodiscard]] LampGlimpse lamp_glimpse() const noexcept;
 
   /// The pictures of the frame judged last, enlarged to its size.
   void draw(StageImages& images) const;
 
  private:
+  void clean() noexcept;
+  void brighten_outside_beam() noexcept;
   void search() noexcept;
   [[nodiscard]] Status judge_levels(const FinderConfig& config, const OpenSpace& out) const noexcept;
   void weigh_by_elevation() noexcept;
@@ -42,11 +51,16 @@ class AditChain {
   VeilFit veil_fit_;
   LightTable table_{};
   std::vector<std::int16_t> elevation_weight_;  ///< of each row of cells, 0 to 256
-  CellPlane level_;                             ///< parts of a grey level
-  CellPlane cleaned_;                           ///< without specks and thin lines
-  CellPlane light_;                             ///< parts of a stop
-  CellPlane map_;                               ///< enclosure, weighted and smoothed
-  CellPlane depth_;                             ///< enclosure, weighted, not capped
+  std::vector<LobeTerms> lamp_terms_;           ///< of each cell
+  bool lamp_known_ = false;
+  bool light_usable_ = false;  ///< the frame judged last showed rock in clear air
+  CellPlane lamp_;             ///< how far the lamp's pattern lies below its middle, parts of a stop
+  CellPlane other_level_;      ///< of the second frame of a pair
+  CellPlane level_;            ///< parts of a grey level
+  CellPlane cleaned_;          ///< without specks and thin lines
+  CellPlane light_;            ///< parts of a stop
+  CellPlane map_;              ///< enclosure, weighted and smoothed
+  CellPlane depth_;            ///< enclosure, weighted, not capped
   Candidates candidates_;
 };
 

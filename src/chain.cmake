@@ -1,5 +1,6 @@
 target_sources(adit_core PRIVATE
   adit_chain.cpp
+  adit_lamps.cpp
   camera.cpp
   cell_filters.cpp
   chain.cpp
@@ -14,6 +15,8 @@ target_sources(adit_core PRIVATE
   image.cpp
   kmeans_exact.cpp
   kmeans_lloyd.cpp
+  lamp.cpp
+  lobe.cpp
   names.cpp
   navigator.cpp
   opening_search.cpp

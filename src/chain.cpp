@@ -59,6 +59,7 @@ void OpenSpaceFinder::Chain::reserve(int width, int height) {
   if (workspace && workspace->width == width && workspace->height == height) return;
   workspace.reset();  // first: two sets of buffers of a large frame need not fit
   workspace.emplace(config, calibrated_camera ? &*calibrated_camera : nullptr, width, height);
+  if (workspace->adit && lamp.frames > 0.0) workspace->adit->set_lamp(lamp);
 }
 
 }  // namespace adit

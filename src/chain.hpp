@@ -48,6 +48,7 @@ struct OpenSpaceFinder::Chain {
   FinderConfig config;
   std::optional<Camera> calibrated_camera;
   std::optional<Workspace> workspace;
+  LampPattern lamp;
 };
 
 }  // namespace adit

@@ -138,7 +138,9 @@ OpenSpace OpenSpaceFinder::find(const ImageView& frame) noexcept {
   out.status = chain_->admit(frame);
   if (out.status != Status::kFound) return out;
   if (chain_->config.method == Method::kAdit) {
-    chain_->workspace->adit->find(frame, chain_->config, chain_->camera(), out);
+    AditChain& chain = *chain_->workspace->adit;
+    chain.take(frame, chain_->config);
+    chain.find(chain_->config, chain_->camera(), out);
     clock.lap(Stage::kMoments);
     return out;
   }
@@ -173,6 +175,37 @@ OpenSpace OpenSpaceFinder::find(const ImageView& frame) noexcept {
   }
   clock.lap(Stage::kMoments);
   return out;
+}
+
+OpenSpace OpenSpaceFinder::find_flash(const ImageView& one, const ImageView& other) noexcept {
+  OpenSpace out;
+  StageClock clock(out);
+  out.status = chain_->admit(one);
+  if (out.status != Status::kFound) return out;
+  if (!fault_of(other).empty() || other.width != one.width || other.height != one.height) {
+    out.status = Status::kBadFrame;
+    return out;
+  }
+  if (chain_->config.method != Method::kAdit) {
+    const OpenSpace first = find(one), second = find(other);
+    return first.atmospheric_light >= second.atmospheric_light ? first : second;
+  }
+  AditChain& chain = *chain_->workspace->adit;
+  chain.take_pair(one, other, chain_->config);
+  chain.find(chain_->config, chain_->camera(), out);
+  if (out.found()) out.rule = Rule::kFlash;
+  clock.lap(Stage::kMoments);
+  return out;
+}
+
+void OpenSpaceFinder::set_lamp(const LampPattern& pattern) noexcept {
+  chain_->lamp = pattern;
+  if (chain_->workspace && chain_->workspace->adit) chain_->workspace->adit->set_lamp(pattern);
+}
+
+LampGlimpse OpenSpaceFinder::lamp_glimpse() const noexcept {
+  if (!chain_->workspace || !chain_->workspace->adit) return {};
+  return chain_->workspace->adit->lamp_glimpse();
 }
 
 }  // namespace adit

@@ -18,6 +18,9 @@ constexpr double kGoalLag_s = 0.3;
 constexpr double kFreeWeight = 2.0;
 constexpr double kSlowFrom_rad = 0.35, kSlowTo_rad = 0.95;  // a target this far off the nose is turned to first
 constexpr double kSpeedLag_s = 0.2;
+constexpr double kTrustLag_s = 0.5;
+constexpr double kTrusted = 0.5;  // an opening that is right every other time is worth full speed: the ranges see walls
+constexpr double kDoubtScale = 0.5;
 constexpr double kAssumedSpeed_m_s = 1.0;  // where the caller does not say how fast it is
 
 double share_gone(double time_s, double lag_s) noexcept { return lag_s > 0.0 ? -std::expm1(-time_s / lag_s) : 1.0; }
@@ -26,6 +29,10 @@ double share_gone(double time_s, double lag_s) noexcept { return lag_s > 0.0 ? -
 bool is_usable(Status status) noexcept {
   return status == Status::kFound || status == Status::kNoOpening || status == Status::kNoRegion;
 }
+
+/// Whoever always takes the rightmost way and turns round at dead ends comes through every passage of a network without
+/// loops.
+bool keeps_right(Prefer prefer) noexcept { return prefer == Prefer::kRight || prefer == Prefer::kExplore; }
 
 const NavigatorConfig& checked(const NavigatorConfig& config) {
   if (const auto fault = fault_of(config.steering)) throw std::invalid_argument(*fault);
@@ -53,6 +60,7 @@ Navigator::Navigator(const NavigatorConfig& config)
 Navigator::Navigator(const NavigatorConfig& config, const Camera& camera)
     : config_(checked(config)),
       finder_(config.finder, camera),
+      camera_(camera),
       watch_(config.frame_watch),
       column_range_(config.column_range, camera, config.finder.grey16_depth_bits),
       memory_(config.range_memory),
@@ -67,12 +75,47 @@ void Navigator::reset() noexcept {
   command_ = {};
   manoeuvre_ = Manoeuvre::kWait;
   has_goal_ = false;
-  goal_rad_ = target_rad_ = rival_s_ = blocked_s_ = turned_rad_ = turn_sign_ = 0.0;
+  goal_rad_ = target_rad_ = rival_s_ = blocked_s_ = turned_rad_ = turn_sign_ = trust_ = 0.0;
 }
 
 Sight Navigator::look(const ImageView& frame) noexcept {
   Sight sight;
   sight.open_space = finder_.find(frame);
+  if (learns_lamp_ && is_usable(sight.open_space.status)) learn_lamp(frame);
+  return finish_look(frame, sight);
+}
+
+/// A lamp that blinks is not learnt: half of the frames do not show it.
+Sight Navigator::look_flash(const ImageView& frame, const ImageView& before) noexcept {
+  Sight sight;
+  sight.open_space = finder_.find_flash(frame, before);
+  return finish_look(frame, sight);
+}
+
+void Navigator::use_lamp(const LampPattern& known, bool learn) {
+  if (*fault_of(known) != '\0') throw std::invalid_argument(fault_of(known));
+  known_lamp_ = known;
+  learns_lamp_ = learn;
+  lamp_.reset();
+  finder_.set_lamp(known);
+}
+
+void Navigator::learn_lamp(const ImageView& frame) noexcept {
+  const LampGlimpse glimpse = finder_.lamp_glimpse();
+  if (!glimpse.usable) return;
+  try {
+    if (!lamp_) {
+      const double hfov_deg = config_.finder.assumed_hfov_deg;
+      lamp_.emplace(camera_ ? *camera_ : Camera(pinhole(frame.width, frame.height, hfov_deg)), known_lamp_);
+    }
+  } catch (const std::exception&) {  // no memory for it: the flight goes on without
+    learns_lamp_ = false;
+    return;
+  }
+  if (lamp_->learn(glimpse)) finder_.set_lamp(lamp_->pattern());
+}
+
+Sight Navigator::finish_look(const ImageView& frame, Sight sight) noexcept {
   sight.profile = column_range_.measure(frame, memory_.veil_share());
   const Status stream = watch_.judge(frame);
   // What the frame alone shows to be wrong is the better name for it: a dead lamp's black frames are also all the same.
@@ -114,6 +157,7 @@ NavigatorCommand Navigator::steer(const Sight& sight, double stamp_s, const Moti
   if (!is_usable(sight.open_space.status) || !sight.profile.valid) return hold(stamp_s);
   memory_.take(sight.profile, step.time_s);
   ways_ = ways_of(config_.steering, memory_.profile(), memory_.beside());
+  trust_ += share_gone(step.time_s, kTrustLag_s) * (sight.open_space.confidence - trust_);
   choose_gap(sight, step.time_s);
   if (manoeuvre_ == Manoeuvre::kWait) manoeuvre_ = Manoeuvre::kFollow;
   blocked_s_ = has_goal_ ? 0.0 : blocked_s_ + step.time_s;
@@ -151,7 +195,7 @@ void Navigator::choose_gap(const Sight&, double time_s) noexcept {
   const auto worth = [this](const Gap& gap) {
     double w = gap.free_m * (1.0 - 0.3 * std::abs(gap.azimuth_rad));
     if (config_.steering.prefer == Prefer::kLeft) w -= 4.0 * gap.azimuth_rad;
-    if (config_.steering.prefer == Prefer::kRight) w += 4.0 * gap.azimuth_rad;
+    if (keeps_right(config_.steering.prefer)) w += 4.0 * gap.azimuth_rad;
     if (const Track* track = tracker_.chosen(); track != nullptr && track->unseen_s <= 0.0)
       if (std::abs(track->bearing.azimuth_rad - gap.azimuth_rad) <= gap.half_width_rad + 0.1)
         w *= 1.0 + 0.3 * track->score;
@@ -213,7 +257,7 @@ double Navigator::speed_scale() const noexcept {
   const double near = std::clamp((free_ahead_m() - c.stop_range_m) / (c.slow_range_m - c.stop_range_m), 0.0, 1.0);
   const double turning =
       std::clamp(1.0 - (std::abs(target_rad_) - kSlowFrom_rad) / (kSlowTo_rad - kSlowFrom_rad), 0.25, 1.0);
-  return near * turning;
+  return near * turning * std::clamp(trust_ / kTrusted, kDoubtScale, 1.0);
 }
 
 NavigatorCommand Navigator::follow(double stamp_s, double time_s) noexcept {
@@ -238,7 +282,7 @@ void Navigator::begin_turn() noexcept {
     (bin < kRangeBins / 2 ? left : right) += static_cast<double>(ways_.free_m[bin] + memory_.profile().range_m[bin]);
   turn_sign_ = left >= right ? 1.0 : -1.0;
   if (config_.steering.prefer == Prefer::kLeft && left > 0.7 * right) turn_sign_ = 1.0;
-  if (config_.steering.prefer == Prefer::kRight && right > 0.7 * left) turn_sign_ = -1.0;
+  if (keeps_right(config_.steering.prefer) && right > 0.7 * left) turn_sign_ = -1.0;
 }
 
 NavigatorCommand Navigator::turn(double stamp_s) noexcept {

@@ -10,6 +10,7 @@
 
 #include "adit/camera.hpp"
 #include "adit/finder.hpp"
+#include "lobe.hpp"
 #include "reduced_frame.hpp"
 
 namespace adit {
@@ -17,6 +18,7 @@ namespace adit {
 /// What the veil tells of a frame.
 struct VeilSight {
   double fraction = 0.0;       ///< median over the frame of veil / (veil + rock), 0 to 1
+  double undercut = 1.0;       ///< light of the darkest places over the lobe there, at most 1: no veil is brighter
   double rock_high = 0.0;      ///< light of rock over that of the veil, exceeded in a tenth of the frame
   bool lobe_in_frame = false;  ///< the veil is brightest at a place in the frame: it is the lamp's beam
   // The way on, as far as it can be seen through the veil: where the air alone is seen, near the axis and the horizon.
@@ -27,12 +29,6 @@ struct VeilSight {
   double open_share = 0.0;     ///< of the directions near axis and horizon that show air alone, 0 to 1
   double rock_at_place = 0.0;  ///< mean light of rock over that of the veil about (u, v)
 };
-
-/// What the logarithm of the veil is made of: 1, u, v, u^2, v^2 over the half width, and flood_term. Narrow beams are
-/// bells, wide ones powers of the cosine; in rendered dust the six leave 0.01 to 0.03, the first five 0.03 with the
-/// middle too dark.
-inline constexpr std::size_t kLobeTerms = 6;
-using LobeTerms = std::array<double, kLobeTerms>;
 
 class VeilFit {
  public:
@@ -47,9 +43,13 @@ class VeilFit {
   /// noise leaves of it.
   void take_off(const CellPlane& levels, CellPlane& rock) noexcept;
 
+  /// Logarithm of the light of the blocks of the frame judged last, and how many blocks there are.
+  [[nodiscard]] const std::vector<double>& log_light() const noexcept { return log_; }
+  [[nodiscard]] int width() const noexcept { return width_; }
+  [[nodiscard]] int height() const noexcept { return height_; }
+
  private:
   void gather(const CellPlane& levels) noexcept;
-  [[nodiscard]] LobeTerms fit() noexcept;
   void place(VeilSight& out) noexcept;
 
   LobeTerms lobe_{};                                    ///< of the frame judged last
@@ -62,10 +62,12 @@ class VeilFit {
   std::vector<float> of_column_;                        ///< what the lobe owes to each column of cells
   std::vector<float> flood_terms_;                      ///< of each cell
   std::vector<LobeTerms> terms_;
-  std::vector<double> weight_;  ///< of the direction of each block
-  std::vector<double> log_;     ///< of the light of each block
-  std::vector<double> rock_;    ///< over veil, >= 0
-  std::vector<double> order_;   ///< for medians
+  std::vector<LobeTerms> fit_terms_;  ///< of every other block of every other row
+  std::vector<double> fit_log_;       ///< their light
+  std::vector<double> weight_;        ///< of the direction of each block
+  std::vector<double> log_;           ///< of the light of each block
+  std::vector<double> rock_;          ///< over veil, >= 0
+  std::vector<double> order_;         ///< for medians
 };
 
 }  // namespace adit

@@ -48,7 +48,7 @@ cv::Mat noise_like(const cv::Mat& frame) {
 /// The frame by ours, its copy and the chains of OpenCV, in turns.
 void time_rivals(const BenchSubject& subject, double seconds, BenchFigures& figures) {
   const TimeKind kind = subject.time_kind;
-  OpenSpaceFinder finder;
+  OpenSpaceFinder finder(paper_preset());
   const ImageView view = io::view_of(subject.bgr);
   const std::size_t bytes = subject.bgr.total() * subject.bgr.elemSize();
   std::vector<std::uint8_t> copy(bytes, 1);
@@ -99,7 +99,7 @@ void time_targets(const BenchSubject& subject, double seconds, BenchFigures& fig
   for (const std::string& name : names) {
     force_target(name);
     figures.targets.emplace_back(name, Samples());
-    time_picture(subject.time_kind, subject.bgr, {}, seconds / static_cast<double>(names.size()), 20,
+    time_picture(subject.time_kind, subject.bgr, paper_preset(), seconds / static_cast<double>(names.size()), 20,
                  figures.targets.back().second);
   }
   force_target(figures.target);
@@ -113,14 +113,17 @@ BenchFigures measure(const BenchSubject& subject) {
   figures.time_kind = subject.time_kind;
   figures.frame_name = subject.name;
   figures.size = subject.bgr.size();
-  const FinderConfig defaults;
+  const FinderConfig defaults = paper_preset();
   figures.patch_size_px = scaled_size_px(defaults.patch_size_vga_px, figures.size.width);
   figures.structuring_element_size_px = scaled_size_px(defaults.structuring_element_size_vga_px, figures.size.width);
   figures.target = target_in_use();
   figures.core = pin_to_core();
   time_rivals(subject, 0.75 * subject.seconds, figures);
-  time_picture(subject.time_kind, noise_like(subject.bgr), {}, 0.05 * subject.seconds, 20, figures.noise);
-  FinderConfig config_4k;
+  time_picture(subject.time_kind, noise_like(subject.bgr), paper_preset(), 0.05 * subject.seconds, 20, figures.noise);
+  FinderConfig adit;
+  adit.method = Method::kAdit;
+  time_picture(subject.time_kind, subject.bgr, adit, 0.05 * subject.seconds, 100, figures.adit_frame);
+  FinderConfig config_4k = paper_preset();
   config_4k.patch_size_px = k4kSize_px;
   config_4k.structuring_element_size_px = k4kSize_px;
   cv::Mat large;

@@ -36,6 +36,7 @@ struct BenchFigures {
   Samples copy;                                          ///< memcpy of the frame
   Samples strong;                                        ///< StrongOpenCvChain
   Samples opencv;                                        ///< OpenCvChain
+  Samples adit_frame;                                    ///< the same frame by the method `adit`
   Samples noise;                                         ///< find on a frame of noise, the same size
   Samples frame_4k;                                      ///< find on 3840 x 2160 px, patch and element 101 px
   std::vector<std::pair<std::string, Samples>> targets;  ///< find, by each target this CPU can run

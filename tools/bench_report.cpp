@@ -64,6 +64,7 @@ std::string table_of(const BenchFigures& f) {
   text += row("copy of the frame (memcpy)", f.copy);
   text += row("strong OpenCV chain", f.strong);
   text += row("OpenCV chain", f.opencv);
+  text += row("frame, method adit", f.adit_frame);
   text += row("frame of noise", f.noise);
   text += row("frame of 3840 x 2160, 101 px", f.frame_4k);
   for (const auto& [name, samples] : f.targets) text += row("target " + name, samples);
@@ -96,6 +97,8 @@ std::string json_of(const BenchFigures& f) {
   json["copy_ms_median"] = f.copy.median_ms();
   json["opencv_chain_ms_median"] = f.opencv.median_ms();
   json["opencv_strong_ms_median"] = f.strong.median_ms();
+  json["adit_frame_ms_median"] = f.adit_frame.median_ms();
+  json["adit_frame_ms_p999"] = f.adit_frame.percentile_ms(0.999);
   json["noise_ms_median"] = f.noise.median_ms();
   json["frame_4k_ms_median"] = f.frame_4k.median_ms();
   for (std::size_t s = 0; s < f.stages.size(); ++s) json["stage_ms"][stage_name(s)] = summary(f.stages[s]);

@@ -38,13 +38,31 @@ FrameLine::FrameLine(const LineSettings& settings, Receiver on_judged, Receiver 
       pool_(settings.jobs) {
   for (int i = 0; i < settings.jobs; ++i) {
     finders_.push_back(make_finder(settings.configuration.finder, settings.camera));
+    if (settings.lamp) finders_.back().set_lamp(*settings.lamp);
   }
 }
 
 void FrameLine::begin_source(bool is_sequence) {
   while (!judging_.empty()) pop_judged();  // the controller belongs to the frames that went in under it
+  if (navigator_ && settings_.learn_lamp) settings_.lamp = navigator_->lamp();
   controller_.reset();
-  if (is_sequence) controller_.emplace(settings_.configuration.heading);
+  navigator_.reset();
+  last_pixels_.release();
+  if (!is_sequence) return;
+  if (settings_.configuration.finder.method == Method::kPaper) {
+    controller_.emplace(settings_.configuration.heading);
+    return;
+  }
+  const NavigatorConfig config = io::navigator_config_of(settings_.configuration);
+  navigator_ =
+      settings_.camera ? std::make_unique<Navigator>(config, *settings_.camera) : std::make_unique<Navigator>(config);
+  if (settings_.lamp || settings_.learn_lamp) {
+    navigator_->use_lamp(settings_.lamp.value_or(LampPattern{}), settings_.learn_lamp);
+  }
+}
+
+LampPattern FrameLine::lamp() const noexcept {
+  return navigator_ ? navigator_->lamp() : settings_.lamp.value_or(LampPattern{});
 }
 
 void FrameLine::push(io::Frame frame) {
@@ -72,13 +90,35 @@ void FrameLine::judge(FrameWork& work, int worker) {
   }
   const ImageView view = io::view_of(work.frame.pixels);
   OpenSpaceFinder& finder = finders_[static_cast<std::size_t>(worker)];
-  work.open_space = settings_.wants_panel || work.wants_shot ? finder.explain(view, work.stages) : finder.find(view);
-  work.why = why_not_judged(work, settings_.camera);
+  if (settings_.wants_panel || work.wants_shot) {
+    work.open_space = finder.explain(view, work.stages);
+  } else if (!navigator_ && !settings_.flash) {
+    work.open_space = finder.find(view);
+  }
   work.doubt = grey16_doubt(work.frame.pixels, settings_.configuration.finder.grey16_depth_bits);
 }
 
+/// What needs the frames before: a pair of lamp on and off, and the navigator.
+void FrameLine::judge_in_order(FrameWork& work) {
+  if (!work.frame.fault.empty()) return;
+  const cv::Mat before = std::exchange(last_pixels_, settings_.flash ? work.frame.pixels : cv::Mat());
+  const ImageView view = io::view_of(work.frame.pixels);
+  const bool is_pair = settings_.flash && !before.empty();
+  if (navigator_) {
+    const Sight sight = is_pair ? navigator_->look_flash(view, io::view_of(before)) : navigator_->look(view);
+    work.open_space = sight.open_space;
+    // A recording does not turn when it is told to: the camera is taken to stand, not to follow the commands.
+    work.command = navigator_->steer(sight, work.frame.stamp_s, {.yaw_rate_rad_s = 0.0, .speed_m_s = 0.0}).heading;
+  } else if (settings_.flash) {
+    work.open_space = is_pair ? finders_.front().find_flash(view, io::view_of(before)) : finders_.front().find(view);
+  }
+  work.why = why_not_judged(work, settings_.camera);
+}
+
 void FrameLine::steer(FrameWork& work) {
-  if (controller_ && work.open_space) {
+  if (navigator_) {
+    if (!work.open_space) work.command = navigator_->tick(work.frame.stamp_s).heading;
+  } else if (controller_ && work.open_space) {
     work.command = controller_->update(*work.open_space, work.frame.stamp_s);
   } else if (controller_) {
     work.command = controller_->tick(work.frame.stamp_s);
@@ -91,6 +131,7 @@ void FrameLine::pop_judged() {
   const Work work = std::move(judging_.front());
   judging_.pop_front();
   work->done.get();
+  judge_in_order(*work);
   steer(*work);
   on_judged_(*work);
   if (!work->open_space || !(settings_.wants_panel || settings_.wants_png || work->wants_shot)) return;

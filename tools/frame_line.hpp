@@ -15,6 +15,7 @@
 #include "adit/heading.hpp"
 #include "adit/io/configuration.hpp"
 #include "adit/io/frame_source.hpp"
+#include "adit/navigator.hpp"
 #include "report_pictures.hpp"
 #include "worker_pool.hpp"
 
@@ -40,6 +41,9 @@ struct LineSettings {
   io::Configuration configuration;
   std::optional<Camera> camera;
   int jobs = 1;
+  std::optional<LampPattern> lamp;  ///< of the vehicle's lamp, known before
+  bool learn_lamp = false;          ///< in sequences, method `adit`
+  bool flash = false;  ///< frames come with the lamp on and off in turns: each is judged with the one before
   bool wants_panel = false;
   bool wants_png = false;
   std::function<bool(std::int64_t)> wants_shot;  ///< of the frame with this number; asked on the caller's thread
@@ -52,16 +56,20 @@ class FrameLine {
   using Receiver = std::function<void(FrameWork&)>;
   FrameLine(const LineSettings& settings, Receiver on_judged, Receiver on_drawn);
 
-  /// A new row of frames: steering starts afresh.
+  /// A new row of frames: steering starts afresh. A sequence is steered by the navigator, but for the method `paper`,
+  /// whose frames the published controller follows.
   void begin_source(bool is_sequence);
   /// Takes a frame in; hands others out to make room. Holds a few frames for each job, never more.
   void push(io::Frame frame);
   /// Hands out all that is still on its way.
   void finish();
+  /// What was learnt of the lamp in the sequence judged last; what was known where nothing was learnt.
+  [[nodiscard]] LampPattern lamp() const noexcept;
 
  private:
   using Work = std::shared_ptr<FrameWork>;
   void judge(FrameWork& work, int worker);
+  void judge_in_order(FrameWork& work);
   void draw(FrameWork& work) const;
   void steer(FrameWork& work);
   void pop_judged();
@@ -71,7 +79,9 @@ class FrameLine {
   Receiver on_judged_;
   Receiver on_drawn_;
   std::vector<OpenSpaceFinder> finders_;         ///< one for each worker
-  std::optional<HeadingController> controller_;  ///< none: the frames are independent
+  std::optional<HeadingController> controller_;  ///< of a sequence, method `paper`
+  std::unique_ptr<Navigator> navigator_;         ///< of a sequence, other methods; without both frames are independent
+  cv::Mat last_pixels_;                          ///< of the frame judged last, for pairs
   std::size_t room_;
   std::int64_t pushed_ = 0;
   std::deque<Work> judging_;

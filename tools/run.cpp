@@ -8,6 +8,8 @@
 #include <thread>
 
 #include "adit/io/frame_source.hpp"
+#include "adit/io/lamp_file.hpp"
+#include "adit/io/output_file.hpp"
 #include "bag_inputs.hpp"
 #include "finder_options.hpp"
 #include "frame_line.hpp"
@@ -31,6 +33,9 @@ struct RunOptions {
   int jobs = static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1u, 256u));
   std::int64_t limit = 0;  ///< 0: none
   Shard shard;
+  bool flash = false;
+  std::string lamp;        ///< file; empty: none
+  std::string learn_lamp;  ///< file; empty: none
   bool quiet = false;
 };
 
@@ -74,18 +79,23 @@ class Run {
       if (!take_source(*source)) break;
     }
     line_.finish();
+    if (!options_.learn_lamp.empty()) write_lamp();
     progress_.clear();
     return end();
   }
 
  private:
   LineSettings line_settings() const {
-    return {configuration_of(options_.finder),
-            camera_of_inputs(options_.finder, options_.inputs, options_.bag_topic),
-            options_.jobs,
-            !options_.outputs.video.empty(),
-            !options_.outputs.frames_folder.empty(),
-            {}};
+    LineSettings settings;
+    settings.configuration = configuration_of(options_.finder);
+    settings.camera = camera_of_inputs(options_.finder, options_.inputs, options_.bag_topic);
+    settings.jobs = options_.jobs;
+    settings.flash = options_.flash;
+    settings.learn_lamp = !options_.learn_lamp.empty();
+    if (!options_.lamp.empty()) settings.lamp = io::read_lamp(options_.lamp);
+    settings.wants_panel = !options_.outputs.video.empty();
+    settings.wants_png = !options_.outputs.frames_folder.empty();
+    return settings;
   }
 
   /// None when none is asked for. Tells the line which frames it wants pictures of.
@@ -192,6 +202,12 @@ class Run {
     return tally_.judged() < tally_.frames() || !early_ends_.empty() ? kSomeUnreadable : kSuccess;
   }
 
+  void write_lamp() {
+    const LampPattern lamp = line_.lamp();
+    if (lamp.frames > 0.0) return io::write_file(options_.learn_lamp, io::to_yaml(lamp));
+    progress_.say("adit: " + options_.learn_lamp + ": not written: no frame of a sequence showed the lamp's light");
+  }
+
   void print_summary() const {
     const double seconds = progress_.elapsed_s();
     char pace[64];
@@ -236,6 +252,9 @@ void add_options(CLI::App& run, RunOptions& options) {
   run.add_option("--topic", options.bag_topic, "Of the images in a bag (the only one)")->type_name("NAME");
   run.add_flag("--sequence", options.sources.images_are_sequence,
                "Images follow each other in time: steering remembers");
+  run.add_flag("--flash", options.flash, "The lamp is on and off in turns: judge each frame with the one before");
+  run.add_option("--lamp", options.lamp, "The lamp's pattern, as --learn-lamp wrote it")->type_name("FILE.yaml");
+  run.add_option("--learn-lamp", options.learn_lamp, "Learn the lamp's pattern from sequences")->type_name("FILE.yaml");
   run.add_option("--jobs", options.jobs, "Threads; the output is the same with any (all cores)")
       ->type_name("N")
       ->check(CLI::Range(1, 256));

@@ -12,7 +12,8 @@
 
 namespace ADIT_API adit {
 
-/// Which way to take where the passage branches.
+/// Which way to take where the passage branches. kExplore keeps to the right: with turns at dead ends it comes through
+/// every passage of a network without loops.
 enum class Prefer { kStraight, kLeft, kRight, kExplore };
 /// "straight", "left", "right", "explore".
 [[nodiscard]] std::string_view to_string(Prefer prefer) noexcept;

@@ -13,6 +13,7 @@
 #include "adit/camera.hpp"
 #include "adit/image.hpp"
 #include "adit/kmeans.hpp"
+#include "adit/lamp.hpp"
 #include "adit/region.hpp"
 #include "adit/scattering_depth.hpp"
 
@@ -30,7 +31,7 @@ enum class Clustering { kExact, kLloyd };
 /// Every constant of the chain. Defaults stand here and nowhere else; unit, range, meaning and source of each field
 /// stand in visit_fields() (fields.hpp), from which the YAML, the command line and the docs are made.
 struct FinderConfig {
-  Method method = Method::kPaper;
+  Method method = Method::kAdit;
   int patch_size_px = 0;
   int patch_size_vga_px = 15;
   int structuring_element_size_px = 0;
@@ -61,6 +62,13 @@ struct FinderConfig {
   double strength_even = 0.27;
   double strength_spread = 0.2;
 };
+
+/// The published method with the constants of the paper, for comparison.
+[[nodiscard]] inline FinderConfig paper_preset() {
+  FinderConfig config;
+  config.method = Method::kPaper;
+  return config;
+}
 
 /// Why a configuration is refused: "omega: 1.5 is not in [0.01, 1]; set a value in this range".
 /// Empty when it is good.
@@ -225,7 +233,18 @@ class OpenSpaceFinder {
   /// Judges one frame. Reads the pixels, never writes them. Allocates nothing once sized.
   [[nodiscard]] OpenSpace find(const ImageView& frame) noexcept;
 
-  /// The same, and the pictures of its stages. Allocates. @throws std::bad_alloc
+  /// Judges a pair of frames, one with the vehicle's lamp on and one with it off, in any order, taken from nearly the
+  /// same place with the same exposure: what the lamp alone lights. Foreign lamps cancel out. Without a difference:
+  /// kTooDark. Method `adit`; `paper` judges the brighter one. Frames of two sizes: kBadFrame.
+  [[nodiscard]] OpenSpace find_flash(const ImageView& one, const ImageView& other) noexcept;
+
+  /// From now on frames are judged with this pattern of the vehicle's lamp taken out. Method `adit`; in dust it is not
+  /// used, since the veil that is fitted there holds the pattern. A pattern of 0 frames is none.
+  void set_lamp(const LampPattern& pattern) noexcept;
+  /// What the frame judged last shows of the lamp. Method `adit`; else not usable.
+  [[nodiscard]] LampGlimpse lamp_glimpse() const noexcept;
+
+  /// As find(), and the pictures of its stages. Allocates. @throws std::bad_alloc
   [[nodiscard]] OpenSpace explain(const ImageView& frame, StageImages& images);
 
  private:

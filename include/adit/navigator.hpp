@@ -83,6 +83,14 @@ class Navigator {
 
   /// Judges a frame; frames in the order of their taking, for what only a sequence shows (frame_watch.hpp).
   [[nodiscard]] Sight look(const ImageView& frame) noexcept;
+  /// The same of a pair of frames, lamp on and lamp off, `frame` the later one.
+  [[nodiscard]] Sight look_flash(const ImageView& frame, const ImageView& before) noexcept;
+
+  /// Judges by what is known of the vehicle's lamp (lamp.hpp), and goes on learning it if asked. Method `adit`.
+  /// @throws std::invalid_argument for a pattern that is none.
+  void use_lamp(const LampPattern& known, bool learn);
+  [[nodiscard]] LampPattern lamp() const noexcept { return lamp_ ? lamp_->pattern() : known_lamp_; }
+
   /// Takes what was seen at stamp_s and says what to do. Stamps as for HeadingController::update.
   NavigatorCommand steer(const Sight& sight, double stamp_s, const Motion& motion = {}) noexcept;
   NavigatorCommand update(const ImageView& frame, double stamp_s, const Motion& motion = {}) noexcept {
@@ -109,8 +117,15 @@ class Navigator {
   double speed_scale() const noexcept;
   double free_ahead_m() const noexcept;
 
+  Sight finish_look(const ImageView& frame, Sight sight) noexcept;
+  void learn_lamp(const ImageView& frame) noexcept;
+
   NavigatorConfig config_;
   OpenSpaceFinder finder_;
+  std::optional<Camera> camera_;
+  LampPattern known_lamp_;
+  bool learns_lamp_ = false;
+  std::optional<LampModel> lamp_;  ///< made at the first frame, whose size it needs
   FrameWatch watch_;
   ColumnRange column_range_;
   RangeMemory memory_;
@@ -125,6 +140,7 @@ class Navigator {
   double goal_rad_ = 0.0, target_rad_ = 0.0;
   double rival_s_ = 0.0;
   double blocked_s_ = 0.0;
+  double trust_ = 0.0;  ///< confidence of the openings seen, smoothed
   double turned_rad_ = 0.0;  ///< in this turn
   double turn_sign_ = 0.0;   ///< of the yaw rate
 };

@@ -109,7 +109,7 @@ TEST(AditMethod, DustIsFlaggedAndMeasured) {
   EXPECT_FALSE(clear.flags.dust) << clear.veil_fraction;
   // Rock that is still seen on both sides, air alone between.
   const OpenSpace dusty =
-      seen_in(drawn({.openings = {{360, 240, 240, 400}}, .beam_px = 400.0, .brightness = 60.0, .veil = 70.0}));
+      seen_in(drawn({.openings = {{360, 240, 240, 400}}, .beam_px = 400.0, .brightness = 40.0, .veil = 70.0}));
   EXPECT_TRUE(dusty.flags.dust) << dusty.veil_fraction;
   EXPECT_GT(dusty.veil_fraction, clear.veil_fraction);
   ASSERT_TRUE(dusty.found()) << to_string(dusty.status);

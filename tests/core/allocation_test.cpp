@@ -70,7 +70,7 @@ TEST(Allocation, NoneInTheNavigatorAfterTheFirstFrame) {
 
 TEST(Allocation, NoneAfterTheFirstFrame) {
   for (const auto clustering : {Clustering::kExact, Clustering::kLloyd}) {
-    FinderConfig config;
+    FinderConfig config = paper_preset();
     config.clustering = clustering;
     OpenSpaceFinder finder(config);
     for (const auto format : {PixelFormat::kGrey8, PixelFormat::kBgr8, PixelFormat::kRgba8, PixelFormat::kGrey16}) {
@@ -91,7 +91,7 @@ TEST(Allocation, NoneAfterTheFirstFrame) {
 
 TEST(Allocation, NoneAtAllAfterReserve) {
   const test::Frame frame = test::coloured_tunnel({});
-  OpenSpaceFinder finder;
+  OpenSpaceFinder finder(paper_preset());
   finder.reserve(160, 120);
   EXPECT_EQ(allocations_during([&] { (void)finder.find(frame.view()); }), 0);
 }
@@ -99,7 +99,7 @@ TEST(Allocation, NoneAtAllAfterReserve) {
 TEST(Allocation, NoneByTheMethodAdit) {
   const test::Frame frame = test::coloured_tunnel({});
   const test::Frame wall = test::noise(160, 120, PixelFormat::kBgr8, 3);
-  FinderConfig config;
+  FinderConfig config = paper_preset();
   config.method = Method::kAdit;
   OpenSpaceFinder finder(config);
   finder.reserve(160, 120);
@@ -126,7 +126,7 @@ TEST(Allocation, NoneInTheController) {
 TEST(Allocation, WithoutMemoryTheFrameIsBadAndTheNextIsNot) {
   const test::Frame small = test::coloured_tunnel({});
   const test::Frame large = test::coloured_tunnel({.width = 200, .height = 150});
-  OpenSpaceFinder finder;
+  OpenSpaceFinder finder(paper_preset());
   EXPECT_EQ(finder.find(small.view()).status, Status::kFound);
   memory_is_out = true;
   const Status without = finder.find(large.view()).status;

@@ -33,7 +33,7 @@ constexpr PixelFormat kAll[] = {PixelFormat::kGrey8, PixelFormat::kBgr8,  PixelF
 TEST(FinderFormats, GreyInAnyFormatIsTheSame) {
   for (const auto& [width, height] : {std::pair{160, 120}, {77, 33}, {16, 16}, {129, 201}}) {
     const Frame grey = test::tunnel({.width = width, .height = height, .u_px = 0.4 * width, .v_px = 0.5 * height});
-    OpenSpaceFinder finder;
+    OpenSpaceFinder finder(paper_preset());
     const OpenSpace seen = finder.find(grey.view());
     for (const auto format : kAll) expect_same(finder.find(test::in_format(grey, format).view()), seen);
   }
@@ -41,7 +41,7 @@ TEST(FinderFormats, GreyInAnyFormatIsTheSame) {
 
 TEST(FinderFormats, ColourInAnyOrderIsTheSame) {
   const Frame bgr = test::coloured_tunnel({.width = 131, .height = 97});
-  OpenSpaceFinder finder;
+  OpenSpaceFinder finder(paper_preset());
   const OpenSpace seen = finder.find(bgr.view());
   for (const auto format : {PixelFormat::kRgb8, PixelFormat::kBgra8, PixelFormat::kRgba8}) {
     expect_same(finder.find(test::reordered(bgr, format).view()), seen);
@@ -50,7 +50,7 @@ TEST(FinderFormats, ColourInAnyOrderIsTheSame) {
 
 TEST(FinderFormats, BitsOfSixteenBitFrames) {
   const Frame grey = test::tunnel({});
-  const OpenSpace seen = OpenSpaceFinder().find(grey.view());
+  const OpenSpace seen = OpenSpaceFinder(paper_preset()).find(grey.view());
   for (const int bits : {8, 10, 12, 14, 16}) {
     Frame deep(grey.width, grey.height, PixelFormat::kGrey16);
     for (int v = 0; v < grey.height; ++v) {
@@ -59,7 +59,7 @@ TEST(FinderFormats, BitsOfSixteenBitFrames) {
         std::memcpy(deep.pixel(u, v), &value, sizeof value);
       }
     }
-    FinderConfig config;
+    FinderConfig config = paper_preset();
     config.grey16_depth_bits = bits;
     expect_same(OpenSpaceFinder(config).find(deep.view()), seen);
   }
@@ -67,7 +67,7 @@ TEST(FinderFormats, BitsOfSixteenBitFrames) {
 
 TEST(FinderFormats, ValuesAboveTheBitsInUseAreWhite) {
   Frame deep(64, 48, PixelFormat::kGrey16, 0xFF);
-  FinderConfig config;
+  FinderConfig config = paper_preset();
   config.grey16_depth_bits = 10;
   const OpenSpace seen = OpenSpaceFinder(config).find(deep.view());
   EXPECT_EQ(seen.darkest_level, 255);
@@ -78,7 +78,7 @@ TEST(FinderFormats, ValuesAboveTheBitsInUseAreWhite) {
 TEST(FinderFormats, StrideAndOrientationOfTheMemory) {
   for (const auto format : kAll) {
     const Frame frame = test::in_format(test::tunnel({.width = 101, .height = 67}), format);
-    OpenSpaceFinder finder;
+    OpenSpaceFinder finder(paper_preset());
     const OpenSpace seen = finder.find(frame.view());
     const std::ptrdiff_t row_bytes = frame.view().stride_bytes;
     for (const std::ptrdiff_t padding : {2, 6, 64, 1000}) {
@@ -102,7 +102,7 @@ TEST(FinderFormats, StrideAndOrientationOfTheMemory) {
 
 TEST(FinderFormats, ARegionOfALargerImage) {
   const Frame large = test::coloured_tunnel({.width = 300, .height = 200, .u_px = 150, .v_px = 90});
-  OpenSpaceFinder finder;
+  OpenSpaceFinder finder(paper_preset());
   for (const auto& [u, v, width, height] :
        {std::tuple{10, 20, 200, 150}, {101, 3, 97, 131}, {0, 0, 300, 200}, {299 - 64, 199 - 48, 64, 48}}) {
     Frame cut(width, height, PixelFormat::kBgr8);
@@ -116,7 +116,7 @@ TEST(FinderFormats, ARegionOfALargerImage) {
 TEST(FinderFormats, ThePixelsAreNotWritten) {
   const Frame frame = test::coloured_tunnel({});
   const Frame before = frame;
-  (void)OpenSpaceFinder().find(frame.view());
+  (void)OpenSpaceFinder(paper_preset()).find(frame.view());
   EXPECT_EQ(frame.bytes, before.bytes);
 }
 

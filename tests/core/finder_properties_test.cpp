@@ -11,12 +11,12 @@ namespace {
 
 using test::Frame;
 
-OpenSpace seen_in(const Frame& frame, const FinderConfig& config = {}) {
+OpenSpace seen_in(const Frame& frame, const FinderConfig& config = paper_preset()) {
   return OpenSpaceFinder(config).find(frame.view());
 }
 
 FinderConfig with_sizes(int patch_px, int element_px) {
-  FinderConfig config;
+  FinderConfig config = paper_preset();
   config.patch_size_px = patch_px;
   config.structuring_element_size_px = element_px;
   return config;
@@ -145,7 +145,7 @@ TEST(FinderProperties, ABlackBorderPullsTheCentroidToTheMiddleAsPublished) {
 }
 
 TEST(FinderProperties, BetaMovesNoCluster) {
-  FinderConfig config;
+  FinderConfig config = paper_preset();
   const Frame frame = test::coloured_tunnel({});
   const OpenSpace seen = seen_in(frame, config);
   for (const double beta : {0.001, 0.3, 1000.0}) {
@@ -158,7 +158,7 @@ TEST(FinderProperties, BetaMovesNoCluster) {
 }
 
 TEST(FinderProperties, AFrameIsJudgedAlone) {
-  OpenSpaceFinder finder;
+  OpenSpaceFinder finder(paper_preset());
   const Frame first = test::coloured_tunnel({});
   const Frame second = test::tunnel({.u_px = 110, .seed = 4});
   const OpenSpace alone = finder.find(first.view());
@@ -171,7 +171,7 @@ TEST(FinderProperties, AFrameIsJudgedAlone) {
 }
 
 TEST(FinderProperties, LloydIsRepeatableAndNear) {
-  FinderConfig config;
+  FinderConfig config = paper_preset();
   const Frame frame = test::coloured_tunnel({.width = 320, .height = 240, .u_px = 120, .v_px = 100});
   const OpenSpace exact = seen_in(frame, config);
   config.clustering = Clustering::kLloyd;

@@ -31,7 +31,7 @@ TEST(FinderReference, MadeFrames) {
                               .brightest = test::between(random, 20, 250),
                               .noise = test::between(random, 0, 40),
                               .seed = seed};
-    FinderConfig config;
+    FinderConfig config = paper_preset();
     config.patch_size_px = 1 + 2 * test::between(random, 0, 8);
     config.structuring_element_size_px = 1 + 2 * test::between(random, 0, 8);
     config.omega = 0.01 * test::between(random, 30, 100);
@@ -45,7 +45,7 @@ TEST(FinderReference, MadeFrames) {
 
 TEST(FinderReference, NoiseInEveryFormat) {
   for (unsigned seed = 0; seed < 18; ++seed) {
-    FinderConfig config;
+    FinderConfig config = paper_preset();
     config.patch_size_px = 1 + 2 * static_cast<int>(seed % 3);
     config.structuring_element_size_px = 1 + 2 * static_cast<int>(seed % 4);
     config.grey16_depth_bits = 10 + static_cast<int>(seed % 7);

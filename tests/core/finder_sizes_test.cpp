@@ -11,7 +11,7 @@ namespace {
 using test::Frame;
 
 TEST(FinderSizes, SmallAndOddFramesAreJudged) {
-  OpenSpaceFinder finder;
+  OpenSpaceFinder finder(paper_preset());
   for (int width = 16; width < 40; width += 3) {
     for (int height = 16; height < 40; height += 5) {
       const Frame frame = test::tunnel({.width = width, .height = height, .u_px = 0.5 * width, .v_px = 0.5 * height});
@@ -24,7 +24,7 @@ TEST(FinderSizes, SmallAndOddFramesAreJudged) {
 }
 
 TEST(FinderSizes, VeryWideAndVeryTallFrames) {
-  OpenSpaceFinder finder;
+  OpenSpaceFinder finder(paper_preset());
   for (const auto& [width, height] : {std::pair{8192, 16}, {16, 8192}, {4097, 31}}) {
     const Frame frame = test::tunnel({.width = width, .height = height, .u_px = 0.3 * width, .v_px = 0.5 * height});
     const OpenSpace seen = finder.find(frame.view());
@@ -34,7 +34,7 @@ TEST(FinderSizes, VeryWideAndVeryTallFrames) {
 }
 
 TEST(FinderSizes, ElementsLargerThanTheFrameLeaveNoContrast) {
-  FinderConfig config;
+  FinderConfig config = paper_preset();
   config.patch_size_px = 1023;
   config.structuring_element_size_px = 1023;
   EXPECT_EQ(OpenSpaceFinder(config)
@@ -45,7 +45,7 @@ TEST(FinderSizes, ElementsLargerThanTheFrameLeaveNoContrast) {
 
 TEST(FinderSizes, TheLargestFrame) {
   // Flat but for one large square, so that the answer is known: no noise, no random numbers for 67 million pixels.
-  FinderConfig config;
+  FinderConfig config = paper_preset();
   config.patch_size_px = 15;
   config.structuring_element_size_px = 15;
   Frame frame(kSideMax_px, kSideMax_px, PixelFormat::kGrey8, 150);
@@ -60,7 +60,7 @@ TEST(FinderSizes, TheLargestFrame) {
 }
 
 TEST(FinderSizes, ReserveRefusesWhatIsNoFrame) {
-  OpenSpaceFinder finder;
+  OpenSpaceFinder finder(paper_preset());
   EXPECT_THROW(finder.reserve(15, 480), std::invalid_argument);
   EXPECT_THROW(finder.reserve(640, 8193), std::invalid_argument);
   EXPECT_THROW(finder.reserve(-1, -1), std::invalid_argument);
@@ -71,12 +71,13 @@ TEST(FinderSizes, TheCameraGivesTheBearing) {
   const Frame frame = test::tunnel({.width = 160, .height = 120, .u_px = 100, .v_px = 60});
   CameraModel model = pinhole(160, 120, 75.0);
   model.principal_point_x_px = 100.0;
-  OpenSpaceFinder finder({}, Camera(model));
+  OpenSpaceFinder finder(paper_preset(), Camera(model));
   const OpenSpace seen = finder.find(frame.view());
   EXPECT_NEAR(seen.point.sx, (seen.centroid_px.u_px - 100.0) / model.focal_length_x_px, 1e-12);
-  FinderConfig narrow;
+  FinderConfig narrow = paper_preset();
   narrow.assumed_hfov_deg = 40.0;
-  EXPECT_LT(OpenSpaceFinder(narrow).find(frame.view()).point.sx, OpenSpaceFinder().find(frame.view()).point.sx);
+  EXPECT_LT(OpenSpaceFinder(narrow).find(frame.view()).point.sx,
+            OpenSpaceFinder(paper_preset()).find(frame.view()).point.sx);
 }
 
 }  // namespace

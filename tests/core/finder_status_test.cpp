@@ -12,13 +12,13 @@ namespace {
 
 using test::Frame;
 
-Status status_of(const Frame& frame, const FinderConfig& config = {}) {
+Status status_of(const Frame& frame, const FinderConfig& config = paper_preset()) {
   return OpenSpaceFinder(config).find(frame.view()).status;
 }
 
 TEST(FinderStatus, Found) {
   const Frame frame = test::tunnel({});
-  const OpenSpace seen = OpenSpaceFinder().find(frame.view());
+  const OpenSpace seen = OpenSpaceFinder(paper_preset()).find(frame.view());
   EXPECT_EQ(seen.status, Status::kFound);
   EXPECT_TRUE(seen.found());
   EXPECT_NEAR(seen.centroid_px.u_px, 60.0, 4.0);
@@ -43,7 +43,7 @@ TEST(FinderStatus, TooDark) {
 TEST(FinderStatus, ABlackFrameWithHotPixelsIsTooDark) {
   Frame frame(640, 480, PixelFormat::kBgr8, 1);
   for (int i = 0; i < 40; ++i) std::memset(frame.pixel((i * 131) % 640, (i * 97) % 480), 255, 3);
-  const OpenSpace seen = OpenSpaceFinder().find(frame.view());
+  const OpenSpace seen = OpenSpaceFinder(paper_preset()).find(frame.view());
   EXPECT_EQ(seen.status, Status::kTooDark);
   EXPECT_LT(seen.atmospheric_light, 6.0);
 }
@@ -60,7 +60,7 @@ TEST(FinderStatus, NoContrast) {
 
 TEST(FinderStatus, OneClusterIsNoContrast) {
   // Everything counts for the light, and omega 1 with a high floor: all levels are alike in depth.
-  FinderConfig config;
+  FinderConfig config = paper_preset();
   config.atmospheric_light_fraction = 1.0;
   config.omega = 0.01;
   config.transmission_min = 0.99;
@@ -83,7 +83,7 @@ TEST(FinderStatus, NoRegion) {
   for (int v = 200; v < 206; ++v) {
     for (int u = 300; u < 306; ++u) *frame.pixel(u, v) = 10;
   }
-  const OpenSpace seen = OpenSpaceFinder().find(frame.view());
+  const OpenSpace seen = OpenSpaceFinder(paper_preset()).find(frame.view());
   EXPECT_EQ(seen.status, Status::kNoRegion);
   EXPECT_GT(seen.area_fraction, 0.0);
   EXPECT_LT(seen.area_fraction, 0.002);
@@ -96,7 +96,7 @@ TEST(FinderStatus, ADeadPixelIsNoOpening) {
 }
 
 TEST(FinderStatus, BadFrame) {
-  OpenSpaceFinder finder;
+  OpenSpaceFinder finder(paper_preset());
   EXPECT_EQ(finder.find({}).status, Status::kBadFrame);
   const Frame frame = test::tunnel({});
   ImageView narrow = frame.view();
@@ -106,21 +106,21 @@ TEST(FinderStatus, BadFrame) {
 
 TEST(FinderStatus, WrongSize) {
   const Frame frame = test::tunnel({});
-  OpenSpaceFinder finder({}, Camera(pinhole(161, 120, 75.0)));
+  OpenSpaceFinder finder(paper_preset(), Camera(pinhole(161, 120, 75.0)));
   EXPECT_EQ(finder.find(frame.view()).status, Status::kWrongSize);
-  OpenSpaceFinder fitting({}, Camera(pinhole(160, 120, 75.0)));
+  OpenSpaceFinder fitting(paper_preset(), Camera(pinhole(160, 120, 75.0)));
   EXPECT_EQ(fitting.find(frame.view()).status, Status::kFound);
 }
 
 TEST(FinderStatus, BadComesBeforeWrongSize) {
-  OpenSpaceFinder finder({}, Camera(pinhole(160, 120, 75.0)));
+  OpenSpaceFinder finder(paper_preset(), Camera(pinhole(160, 120, 75.0)));
   EXPECT_EQ(finder.find({}).status, Status::kBadFrame);
 }
 
 TEST(FinderStatus, RefusedFramesHaveNothingToFollow) {
   for (const Frame& frame : {Frame(64, 48, PixelFormat::kBgr8, 0), Frame(64, 48, PixelFormat::kGrey8, 90),
                              Frame(64, 48, PixelFormat::kGrey8, 250)}) {
-    const OpenSpace seen = OpenSpaceFinder().find(frame.view());
+    const OpenSpace seen = OpenSpaceFinder(paper_preset()).find(frame.view());
     EXPECT_FALSE(seen.found());
     EXPECT_EQ(seen.confidence, 0.0);
     EXPECT_EQ(seen.opening_count, 0);
@@ -132,14 +132,14 @@ TEST(FinderStatus, RefusedFramesHaveNothingToFollow) {
 
 TEST(FinderStatus, OneGreyValueIsNeverFound) {
   for (const auto clustering : {Clustering::kExact, Clustering::kLloyd}) {
-    FinderConfig config;
+    FinderConfig config = paper_preset();
     config.clustering = clustering;
     config.too_dark_light_max = 0.0;
     config.too_bright_level_min = 256;
     config.contrast_levels_min = 1;
     config.area_fraction_min = 0.0;
     OpenSpaceFinder lenient(config);
-    OpenSpaceFinder finder;
+    OpenSpaceFinder finder(paper_preset());
     for (const auto format : {PixelFormat::kGrey8, PixelFormat::kBgr8, PixelFormat::kRgb8, PixelFormat::kBgra8,
                               PixelFormat::kRgba8, PixelFormat::kGrey16}) {
       for (int level = 0; level < 256; ++level) {
@@ -167,7 +167,7 @@ TEST(FinderStatus, WhateverTheNoiseTheNumbersAreNumbers) {
   for (unsigned seed = 0; seed < 60; ++seed) {
     const auto format = static_cast<PixelFormat>(seed % 6);
     const Frame frame = test::noise(16 + static_cast<int>(seed), 16 + static_cast<int>(seed * 7 % 50), format, seed);
-    FinderConfig config;
+    FinderConfig config = paper_preset();
     config.patch_size_px = 1 + 2 * static_cast<int>(seed % 9);
     config.structuring_element_size_px = 1 + 2 * static_cast<int>(seed % 5);
     config.omega = 0.01 + 0.01 * seed;

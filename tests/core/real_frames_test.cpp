@@ -50,7 +50,7 @@ class RealFrames : public ::testing::Test {
 
 /// Compares every `step`-th picture of a folder with the plain chain.
 void expect_as_reference(const char* folder, std::size_t step) {
-  const FinderConfig config;
+  const FinderConfig config = paper_preset();
   OpenSpaceFinder finder(config);
   const std::vector<fs::path> paths = pictures_in(folder);
   ASSERT_FALSE(paths.empty());
@@ -80,7 +80,7 @@ Hits hits_of(Method method) {
   cv::FileStorage marks((data_folder() / "real" / "caves" / "openings.json").string(),
                         cv::FileStorage::READ | cv::FileStorage::FORMAT_JSON);
   EXPECT_TRUE(marks.isOpened());
-  FinderConfig config;
+  FinderConfig config = paper_preset();
   config.method = method;
   OpenSpaceFinder finder(config);
   const cv::FileNode openings = marks["openings"];
@@ -120,7 +120,7 @@ TEST_F(RealFrames, HowManyOfTheMarkedOpeningsAditHits) {
 
 TEST_F(RealFrames, NoneIsRefused) {
   for (const char* folder : {"caves", "gazebo", "sequences"}) {
-    OpenSpaceFinder finder;
+    OpenSpaceFinder finder(paper_preset());
     std::map<std::string, int> count;
     for (const fs::path& path : pictures_in(folder)) {
       const cv::Mat picture = cv::imread(path.string(), cv::IMREAD_COLOR);

@@ -11,7 +11,7 @@ namespace {
 
 TEST(StageImages, TellTheSameStoryAsTheAnswer) {
   const test::Frame frame = test::coloured_tunnel({.width = 131, .height = 97});
-  OpenSpaceFinder finder;
+  OpenSpaceFinder finder(paper_preset());
   StageImages images;
   const OpenSpace seen = finder.explain(frame.view(), images);
   const OpenSpace alone = finder.find(frame.view());
@@ -46,7 +46,7 @@ TEST(StageImages, TellTheSameStoryAsTheAnswer) {
 }
 
 TEST(StageImages, RefusedFramesHavePicturesWhereThereArePixels) {
-  OpenSpaceFinder finder;
+  OpenSpaceFinder finder(paper_preset());
   StageImages images;
   EXPECT_EQ(finder.explain(test::Frame(40, 30, PixelFormat::kBgr8, 0).view(), images).status, Status::kTooDark);
   EXPECT_EQ(images.transmission.size(), 1200u);

@@ -96,7 +96,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
     view.stride_bytes = -view.stride_bytes;
   }
 
-  adit::FinderConfig config;
+  adit::FinderConfig config = adit::paper_preset();
   if (geometry.lloyd) config.clustering = adit::Clustering::kLloyd;
   if (geometry.adit) config.method = adit::Method::kAdit;
   const std::vector<std::uint8_t> before(block.get(), block.get() + block_bytes);

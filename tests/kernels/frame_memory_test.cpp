@@ -89,7 +89,7 @@ TEST_P(FrameMemory, AtmosphericLightStaysInside) {
 }
 
 TEST_P(FrameMemory, FindStaysInside) {
-  OpenSpaceFinder finder;
+  OpenSpaceFinder finder(paper_preset());
   on_all(GetParam(), [&](const ImageView& view) { EXPECT_NE(finder.find(view).status, Status::kBadFrame); });
 }
 

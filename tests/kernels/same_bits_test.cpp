@@ -95,7 +95,7 @@ void judge(OpenSpaceFinder& finder, const ImageView& view) {
 }
 
 OpenSpaceFinder finder_with(Clustering clustering) {
-  FinderConfig config;
+  FinderConfig config = paper_preset();
   config.clustering = clustering;
   config.grey16_depth_bits = 12;
   return OpenSpaceFinder(config);
@@ -106,7 +106,7 @@ class SameBits : public ::testing::TestWithParam<PixelFormat> {};
 TEST_P(SameBits, OfFramesOfAllContentsAndSizes) {
   OpenSpaceFinder exact = finder_with(Clustering::kExact);
   OpenSpaceFinder lloyd = finder_with(Clustering::kLloyd);
-  FinderConfig enclosed;
+  FinderConfig enclosed = paper_preset();
   enclosed.method = Method::kAdit;
   enclosed.grey16_depth_bits = 12;
   OpenSpaceFinder adit(enclosed);

@@ -54,7 +54,7 @@ void judge(const OpenSpace& space, const PlainStages& plain) {
 class StagesOfFormat : public ::testing::TestWithParam<PixelFormat> {};
 
 TEST_P(StagesOfFormat, AreThoseOfThePlainVersions) {
-  FinderConfig config;
+  FinderConfig config = paper_preset();
   config.patch_size_px = 5;
   config.structuring_element_size_px = 9;
   config.grey16_depth_bits = 14;

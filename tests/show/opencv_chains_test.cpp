@@ -18,7 +18,7 @@ TEST(OpenCvChains, TheStrongChainAgreesWithTheFinder) {
   cv::Mat half;
   cv::resize(tunnel(), half, {321, 239}, 0, 0, cv::INTER_AREA);
   for (const cv::Mat& frame : {tunnel(), noise, half}) {
-    OpenSpaceFinder finder;
+    OpenSpaceFinder finder(paper_preset());
     const OpenSpace seen = finder.find(io::view_of(frame));
     StrongOpenCvChain chain(finder.config(), frame.size());
     for (int i = 0; i < 2; ++i) {
@@ -33,7 +33,7 @@ TEST(OpenCvChains, TheStrongChainAgreesWithTheFinder) {
 
 TEST(OpenCvChains, TheOtherOneIsNotFarOff) {
   const cv::Mat frame = tunnel();
-  OpenSpaceFinder finder;
+  OpenSpaceFinder finder(paper_preset());
   const OpenSpace seen = finder.find(io::view_of(frame));
   OpenCvChain chain(finder.config(), frame.size());
   cv::setRNGSeed(1);

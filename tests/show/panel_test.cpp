@@ -47,12 +47,12 @@ TEST(Panel, TheRedCircleIsOnTheFrame) {
 TEST(Panel, RefusedFramesHaveAPanelToo) {
   cv::Mat speck(480, 640, CV_8UC3, cv::Scalar::all(120));
   cv::rectangle(speck, {300, 200, 20, 20}, cv::Scalar::all(20), cv::FILLED);
-  FinderConfig strict;
+  FinderConfig strict = paper_preset();
   strict.area_fraction_min = 0.2;
   struct Case {
     Status status;
     cv::Mat frame;
-    FinderConfig config;
+    FinderConfig config = paper_preset();
   };
   const Case cases[] = {{Status::kTooDark, cv::Mat(480, 640, CV_8UC3, cv::Scalar::all(0)), {}},
                         {Status::kTooBright, cv::Mat(480, 640, CV_8UC3, cv::Scalar::all(255)), {}},
@@ -71,7 +71,7 @@ TEST(Panel, RefusedFramesHaveAPanelToo) {
 
 TEST(Panel, AFrameOfAnotherSizeThanTheCamera) {
   PanelSubject subject{"a frame", tunnel(), {}, {}, {}, true};
-  OpenSpaceFinder finder({}, Camera(pinhole(320, 240, 75)));
+  OpenSpaceFinder finder(paper_preset(), Camera(pinhole(320, 240, 75)));
   subject.open_space = finder.explain(view_of(subject.frame), subject.stages);
   EXPECT_EQ(subject.open_space.status, Status::kWrongSize);
   EXPECT_EQ(explain_panel(subject).cols, 1920);

@@ -30,8 +30,8 @@ TEST(Report, OfARunFolderIsThatOfTheRun) {
   const ScratchFolder folder;
   const std::string clip = make_clip(folder / "drift.avi", 8);
   const std::string at_once = (folder / "at_once.html").string(), run = (folder / "run").string();
-  const Outcome outcome =
-      run_adit({"run", clip, "--out", run, "--report", at_once, "--set", "cluster_count=7", "--jobs", "3", "--quiet"});
+  const Outcome outcome = run_adit({"run", clip, "--out", run, "--report", at_once, "--method", "paper", "--set",
+                                    "cluster_count=7", "--jobs", "3", "--quiet"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(outcome.out, "");
   const Outcome report = run_adit({"report", run});
@@ -41,7 +41,7 @@ TEST(Report, OfARunFolderIsThatOfTheRun) {
   EXPECT_EQ(a["rows"], 8);
   EXPECT_EQ(a["frames"]["rows"].size(), 8u);
   EXPECT_EQ(a["stages"]["rows"].size(), 8u);
-  EXPECT_EQ(a["origin"]["changed"], json({"finder.cluster_count: 7"}));
+  EXPECT_EQ(a["origin"]["changed"], json({"finder.method: paper", "finder.cluster_count: 7"}));
   for (const char* part : {"rows", "time_s", "columns", "words", "sources", "frames", "stages", "events", "figures"})
     EXPECT_EQ(a[part], b[part]) << part;
   EXPECT_EQ(a["origin"], b["origin"]);

@@ -16,7 +16,7 @@ int main() {
   constexpr int kHeight_px = 48;
   const std::vector<std::uint8_t> pixels(static_cast<std::size_t>(kWidth_px * kHeight_px), 100);
   const adit::ImageView frame{pixels.data(), kWidth_px, kHeight_px, kWidth_px, adit::PixelFormat::kGrey8};
-  adit::FinderConfig config;
+  adit::FinderConfig config = adit::paper_preset();
   config.method = adit::Method::kPaper;
   adit::OpenSpaceFinder finder(config);
   const adit::OpenSpace open_space = finder.find(frame);

@@ -29,6 +29,7 @@ World bend() {
 
 FlightSettings settings(std::uint64_t seed) {
   FlightSettings s;
+  s.finder = paper_preset();
   s.seed = seed;
   s.flight.time_max_s = 60.0;
   return s;

@@ -36,6 +36,12 @@ void visit_sections(Conf& configuration, Visitor&& visit) {
   visit("frame_watch", configuration.frame_watch);
 }
 
+/// The sections that a navigator is made with: all of them.
+[[nodiscard]] inline NavigatorConfig navigator_config_of(const Configuration& configuration) {
+  return {configuration.finder,  configuration.heading,  configuration.column_range, configuration.range_memory,
+          configuration.tracker, configuration.steering, configuration.frame_watch};
+}
+
 /// Reads a YAML text over `configuration`: fields it does not name keep their value.
 /// @param name  the file's name, for messages.
 /// @throws ConfigError "NAME:LINE: ..." for broken YAML, an unknown section or key (with the nearest known one), a key

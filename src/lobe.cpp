@@ -1,0 +1,82 @@
+#include "lobe.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace adit {
+namespace {
+
+/// Six rounds move no weight by more than a hundredth; two more for good measure.
+constexpr int kRounds = 8;
+/// Residuals, natural logarithms, below which a weight grows no more: one grey level in twenty.
+constexpr double kResidualMin = 0.05;
+
+/// Solves normal equations; a pivot that vanishes gives 0.
+template <std::size_t N>
+std::array<double, N> solved(std::array<std::array<double, N>, N> a, std::array<double, N> b) noexcept {
+  for (std::size_t i = 0; i < N; ++i) {
+    const double pivot = a[i][i];
+    if (!(std::abs(pivot) > 1e-12)) {
+      a[i].fill(0.0);
+      b[i] = 0.0;
+      continue;
+    }
+    for (std::size_t j = i; j < N; ++j) a[i][j] /= pivot;
+    b[i] /= pivot;
+    for (std::size_t k = 0; k < N; ++k) {
+      if (k == i) continue;
+      const double factor = a[k][i];
+      for (std::size_t j = i; j < N; ++j) a[k][j] -= factor * a[i][j];
+      b[k] -= factor * b[i];
+    }
+  }
+  return b;
+}
+
+}  // namespace
+
+double flood_term(const Camera& camera, Pixel at) noexcept {
+  const NormalisedPoint p = camera.normalised_of(at);
+  return std::log1p(p.sx * p.sx + p.sy * p.sy);
+}
+
+LobeTerms lobe_terms(const Camera& camera, double x, double y, Pixel at) noexcept {
+  return {1.0, x, y, x * x, y * y, flood_term(camera, at)};
+}
+
+LobeTerms fit_lobe(const std::vector<LobeTerms>& terms, const std::vector<double>& values, double below) noexcept {
+  LobeTerms c{};
+  for (int round = 0; round < kRounds; ++round) {
+    std::array<LobeTerms, kLobeTerms> normal{};
+    LobeTerms right{};
+    for (std::size_t at = 0; at < terms.size(); ++at) {
+      const LobeTerms& t = terms[at];
+      double weight = 1.0;
+      if (round > 0) {
+        const double rest = values[at] - lobe_at(c, t);
+        weight = (rest > 0.0 ? below : 1.0 - below) / std::max(std::abs(rest), kResidualMin);
+      }
+      for (std::size_t i = 0; i < kLobeTerms; ++i) {
+        const double wt = weight * t[i];
+        for (std::size_t j = i; j < kLobeTerms; ++j) normal[i][j] += wt * t[j];
+        right[i] += wt * values[at];
+      }
+    }
+    for (std::size_t i = 0; i < kLobeTerms; ++i) {
+      normal[i][i] += 1e-6;
+      for (std::size_t j = 0; j < i; ++j) normal[i][j] = normal[j][i];
+    }
+    c = solved(normal, right);
+    for (int again = 0; again < 3 && (c[3] > 0.0 || c[4] > 0.0 || c[5] > 0.0); ++again) {
+      for (std::size_t i = 3; i < kLobeTerms; ++i) {
+        if (c[i] <= 0.0) continue;
+        for (std::size_t j = 0; j < kLobeTerms; ++j) normal[i][j] = normal[j][i] = 0.0;
+        right[i] = 0.0;
+      }
+      c = solved(normal, right);
+    }
+  }
+  return c;
+}
+
+}  // namespace adit

@@ -140,7 +140,7 @@ class Navigator {
   double goal_rad_ = 0.0, target_rad_ = 0.0;
   double rival_s_ = 0.0;
   double blocked_s_ = 0.0;
-  double trust_ = 0.0;  ///< confidence of the openings seen, smoothed
+  double trust_ = 0.0;       ///< confidence of the openings seen, smoothed
   double turned_rad_ = 0.0;  ///< in this turn
   double turn_sign_ = 0.0;   ///< of the yaw rate
 };

@@ -276,6 +276,9 @@ void add_run(CLI::App& app, ExitCode& exit_code) {
   run->callback([options, &exit_code] {
     make_run_folder(options->outputs);
     check_outputs(options->outputs, options->inputs);
+    if (options->shard.is_given() && !options->learn_lamp.empty()) {
+      throw CLI::ValidationError("--learn-lamp", "a shard sees only its part; learn from the whole sequence");
+    }
     check_shard(options->shard, options->outputs, options->inputs, options->limit);
     watch_signals();
     exit_code = Run(*options)();

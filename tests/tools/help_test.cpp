@@ -66,8 +66,10 @@ TEST(Help, ExamplesRun) {
         page[0] == "view" || page[0] == "gz")
       continue;
     // What it joins has to be there.
-    if (page[0] == "merge")
-      run_adit({"run", "data/clip.avi", "--shard", "1/1", "--csv", "headings.csv"}, {.folder = folder.path()});
+    if (page[0] == "merge") {
+      const std::vector<std::string> part{"run", "data/clip.avi", "--shard", "1/1", "--csv", "headings.csv"};
+      EXPECT_EQ(run_adit(part, {.folder = folder.path()}).exit_code, 0);
+    }
     const Outcome outcome = run_adit(arguments, {.folder = folder.path()});
     EXPECT_EQ(outcome.exit_code, 0) << example << "\n" << outcome.err;
   }

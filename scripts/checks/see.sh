@@ -1,6 +1,13 @@
 #!/usr/bin/env bash
 # The pages of `adit report` and `adit view` in headless Chromium: load, scrub, click, live, phone, keyboard, axe-core.
 . "$(dirname "${BASH_SOURCE[0]}")/prelude.sh"
+# Playwright runs on Node 20 and later; plain Debian 12 has 18.
+node_major=$(node -p 'process.versions.node.split(".")[0]' 2>/dev/null || echo 0)
+if [ "$node_major" -lt 20 ]; then
+  echo "see: skipped: Playwright wants Node 20 or later; here is ${node_major}"
+  tally 0 0 1
+  exit 0
+fi
 build_preset release -DADIT_SIM=ON
 
 # Playwright and axe-core by npm, as package-lock.json pins them; the browser is Debian's.

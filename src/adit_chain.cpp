@@ -67,6 +67,7 @@ AditChain::AditChain(const FinderConfig& config, const Camera& camera, int frame
       enclosing_(grid_.width(), grid_.height()),
       search_(grid_.width(), grid_.height()),
       veil_fit_(grid_, camera, config),
+      lobe_on_cells_(grid_, camera),
       lamp_(grid_.width(), grid_.height()),
       other_level_(lamp_),
       level_(lamp_),
@@ -75,13 +76,6 @@ AditChain::AditChain(const FinderConfig& config, const Camera& camera, int frame
       map_(level_),
       depth_(level_) {
   make_light_table(config.light_gamma, config.noise_level, table_);
-  const double aspect = static_cast<double>(frame_height_px) / frame_width_px;
-  for (int v = 0; v < grid_.height(); ++v) {
-    for (int u = 0; u < grid_.width(); ++u) {
-      const double x = (u + 0.5) / grid_.width() * 2.0 - 1.0, y = ((v + 0.5) / grid_.height() * 2.0 - 1.0) * aspect;
-      lamp_terms_.push_back(lobe_terms(camera, x, y, {grid_.u_px(u), grid_.v_px(v)}));
-    }
-  }
   elevation_weight_.reserve(static_cast<std::size_t>(grid_.height()));
   const double middle_u_px = 0.5 * (frame_width_px - 1);
   for (int v = 0; v < grid_.height(); ++v) {
@@ -100,7 +94,7 @@ void AditChain::find(const FinderConfig& config, const Camera& camera, OpenSpace
   const VeilSight veil = veil_fit_.judge(cleaned_);
   note_flags(config, veil, out);
   if (out.flags.dust) {
-    veil_fit_.take_off(cleaned_, light_);
+    veil_fit_.take_off(cleaned_, lobe_on_cells_, light_);
   } else {
     look_up(cleaned_, table_, light_);
     if (lamp_known_) brighten_outside_beam();

@@ -49,9 +49,9 @@ class AditChain {
   EnclosureScratch enclosing_;
   SearchScratch search_;
   VeilFit veil_fit_;
+  LobeOnCells lobe_on_cells_;
   LightTable table_{};
   std::vector<std::int16_t> elevation_weight_;  ///< of each row of cells, 0 to 256
-  std::vector<LobeTerms> lamp_terms_;           ///< of each cell
   bool lamp_known_ = false;
   bool light_usable_ = false;  ///< the frame judged last showed rock in clear air
   CellPlane lamp_;             ///< how far the lamp's pattern lies below its middle, parts of a stop

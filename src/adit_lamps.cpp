@@ -18,11 +18,12 @@ constexpr double kFramesHalf = 100.0;
 void AditChain::set_lamp(const LampPattern& pattern) noexcept {
   lamp_known_ = pattern.frames > 0.0;
   if (!lamp_known_) return;
-  double most = -1e9;
-  for (const LobeTerms& terms : lamp_terms_) most = std::max(most, lobe_at(pattern.lobe, terms));
+  const std::vector<float>& lobe =
+      lobe_on_cells_.draw(pattern.lobe, static_cast<double>(frame_height_px_) / frame_width_px_);
+  const double most = *std::max_element(lobe.begin(), lobe.end());
   const double trust = pattern.frames / (pattern.frames + kFramesHalf);
-  for (std::size_t i = 0; i < lamp_terms_.size(); ++i) {
-    const double stops = std::min(kBeamMax_stops, (most - lobe_at(pattern.lobe, lamp_terms_[i])) / std::numbers::ln2);
+  for (std::size_t i = 0; i < lobe.size(); ++i) {
+    const double stops = std::min(kBeamMax_stops, (most - static_cast<double>(lobe[i])) / std::numbers::ln2);
     lamp_.values[i] = static_cast<std::int16_t>(std::lround(kStop * trust * stops));
   }
 }

@@ -79,4 +79,31 @@ LobeTerms fit_lobe(const std::vector<LobeTerms>& terms, const std::vector<double
   return c;
 }
 
+LobeOnCells::LobeOnCells(const CellGrid& grid, const Camera& camera)
+    : width_(grid.width()), of_column_(static_cast<std::size_t>(grid.width())) {
+  for (int v = 0; v < grid.height(); ++v) {
+    for (int u = 0; u < width_; ++u) {
+      flood_terms_.push_back(static_cast<float>(flood_term(camera, {grid.u_px(u), grid.v_px(v)})));
+    }
+  }
+  drawn_.resize(flood_terms_.size());
+}
+
+const std::vector<float>& LobeOnCells::draw(const LobeTerms& lobe, double aspect) noexcept {
+  for (int u = 0; u < width_; ++u) {
+    const double x = (u + 0.5) / width_ * 2.0 - 1.0;
+    of_column_[static_cast<std::size_t>(u)] = static_cast<float>(lobe[0] + x * (lobe[1] + x * lobe[3]));
+  }
+  const auto flood = static_cast<float>(lobe[5]);
+  const int height = static_cast<int>(drawn_.size()) / width_;
+  for (int v = 0; v < height; ++v) {
+    const double y = ((v + 0.5) / height * 2.0 - 1.0) * aspect;
+    const auto of_row = static_cast<float>(y * (lobe[2] + y * lobe[4]));
+    const float* const term = flood_terms_.data() + static_cast<std::ptrdiff_t>(v) * width_;
+    float* const to = drawn_.data() + static_cast<std::ptrdiff_t>(v) * width_;
+    for (int u = 0; u < width_; ++u) to[u] = of_column_[static_cast<std::size_t>(u)] + of_row + flood * term[u];
+  }
+  return drawn_;
+}
+
 }  // namespace adit

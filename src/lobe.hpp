@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "adit/camera.hpp"
+#include "reduced_frame.hpp"
 
 namespace adit {
 
@@ -32,5 +33,21 @@ using LobeTerms = std::array<double, kLobeTerms>;
 /// @param values  as many as terms: natural logarithms of light.
 [[nodiscard]] LobeTerms fit_lobe(const std::vector<LobeTerms>& terms, const std::vector<double>& values,
                                  double below) noexcept;
+
+/// Draws lobes on the cells of a grid.
+class LobeOnCells {
+ public:
+  LobeOnCells(const CellGrid& grid, const Camera& camera);
+
+  /// The lobe's logarithm at each cell, rows one after the other.
+  /// @param aspect  height / width of what y was measured by. Allocates nothing.
+  [[nodiscard]] const std::vector<float>& draw(const LobeTerms& lobe, double aspect) noexcept;
+
+ private:
+  int width_;
+  std::vector<float> flood_terms_;  ///< of each cell
+  std::vector<float> of_column_;    ///< what the lobe owes to each column of cells
+  std::vector<float> drawn_;
+};
 
 }  // namespace adit

@@ -56,12 +56,6 @@ VeilFit::VeilFit(const CellGrid& grid, const Camera& camera, const FinderConfig&
       weight_.push_back(std::exp(-0.5 * (a * a + e * e)));
     }
   }
-  of_column_.resize(static_cast<std::size_t>(grid.width()));
-  for (int v = 0; v < grid.height(); ++v) {
-    for (int u = 0; u < grid.width(); ++u) {
-      flood_terms_.push_back(static_cast<float>(flood_term(camera, {grid.u_px(u), grid.v_px(v)})));
-    }
-  }
   for (int part = 0; part <= kShareMax; ++part) {
     log_share_[static_cast<std::size_t>(part)] =
         static_cast<std::int16_t>(std::lround(kStop * std::log2((part + 0.5) / kShareParts)));
@@ -154,26 +148,13 @@ VeilSight VeilFit::judge(const CellPlane& levels) noexcept {
   return out;
 }
 
-void VeilFit::take_off(const CellPlane& levels, CellPlane& rock) noexcept {
-  const double aspect = static_cast<double>(height_) / width_;
-  for (int u = 0; u < levels.width; ++u) {
-    const double x = (u + 0.5) / levels.width * 2.0 - 1.0;
-    of_column_[static_cast<std::size_t>(u)] = static_cast<float>(lobe_[0] + x * (lobe_[1] + x * lobe_[3]));
-  }
-  const auto flood = static_cast<float>(lobe_[5]);
-  for (int v = 0; v < levels.height; ++v) {
-    const double y = ((v + 0.5) / levels.height * 2.0 - 1.0) * aspect;
-    const auto of_row = static_cast<float>(y * (lobe_[2] + y * lobe_[4]));
-    const float* const term = flood_terms_.data() + static_cast<std::ptrdiff_t>(v) * levels.width;
-    const std::int16_t* const level = levels.row(v);
-    std::int16_t* const to = rock.row(v);
-    for (int u = 0; u < levels.width; ++u) {
-      const auto part = static_cast<std::size_t>(level[u]);
-      const float lobe = of_column_[static_cast<std::size_t>(u)] + of_row + flood * term[u];
-      const float over = std::exp(static_cast<float>(log_light_[part]) - lobe) - 1.0F;
-      const float share = kShareParts * (std::max(over, 0.0F) + noise_[part]);
-      to[u] = log_share_[static_cast<std::size_t>(std::min(share, static_cast<float>(kShareMax)))];
-    }
+void VeilFit::take_off(const CellPlane& levels, LobeOnCells& cells, CellPlane& rock) const noexcept {
+  const std::vector<float>& lobe = cells.draw(lobe_, static_cast<double>(height_) / width_);
+  for (std::size_t i = 0; i < lobe.size(); ++i) {
+    const auto part = static_cast<std::size_t>(levels.values[i]);
+    const float over = std::exp(static_cast<float>(log_light_[part]) - lobe[i]) - 1.0F;
+    const float share = kShareParts * (std::max(over, 0.0F) + noise_[part]);
+    rock.values[i] = log_share_[static_cast<std::size_t>(std::min(share, static_cast<float>(kShareMax)))];
   }
 }
 

@@ -39,14 +39,9 @@ class VeilFit {
 
   /// What the rock adds to the veil, as a share of the veil, of the frame judged last. Lamp and lens shape veil and
   /// rock alike, so the share depends on range and rock alone: it falls with range, to nothing where dust hides all.
-  /// @param levels  as given to judge(); @param rock  binary logarithm of the share, parts of a stop, not below what
-  /// noise leaves of it.
-  void take_off(const CellPlane& levels, CellPlane& rock) noexcept;
-
-  /// Logarithm of the light of the blocks of the frame judged last, and how many blocks there are.
-  [[nodiscard]] const std::vector<double>& log_light() const noexcept { return log_; }
-  [[nodiscard]] int width() const noexcept { return width_; }
-  [[nodiscard]] int height() const noexcept { return height_; }
+  /// @param levels  as given to judge(); @param cells  of the same grid; @param rock  binary logarithm of the share,
+  /// parts of a stop, not below what noise leaves of it.
+  void take_off(const CellPlane& levels, LobeOnCells& cells, CellPlane& rock) const noexcept;
 
  private:
   void gather(const CellPlane& levels) noexcept;
@@ -59,8 +54,6 @@ class VeilFit {
   std::array<double, 4097> log_light_{};                ///< by parts of a level
   std::array<float, 4097> noise_{};                     ///< of a level's light as a share of it
   std::array<std::int16_t, 8 * 1024 + 1> log_share_{};  ///< by parts of the share, parts of a stop
-  std::vector<float> of_column_;                        ///< what the lobe owes to each column of cells
-  std::vector<float> flood_terms_;                      ///< of each cell
   std::vector<LobeTerms> terms_;
   std::vector<LobeTerms> fit_terms_;  ///< of every other block of every other row
   std::vector<double> fit_log_;       ///< their light

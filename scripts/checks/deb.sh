@@ -38,7 +38,7 @@ mirror=$(awk '$1 == "URIs:" { print $2; exit } $1 == "deb" { print $2; exit }' /
 begin=$SECONDS
 quietly debootstrap debootstrap --variant=minbase --include=ca-certificates "$VERSION_CODENAME" "$chroot" \
   "${mirror:-http://deb.debian.org/debian}"
-cp "${packages[@]}" data/clip.avi tests/package/consumer/consumer.c "$chroot/root/"
+cp "${packages[@]}" data/clip.avi tests/package/consumer/consumer.c "$chroot/srv/"
 # No network but apt's, no services.
 printf '#!/bin/sh\nexit 101\n' > "$chroot/usr/sbin/policy-rc.d"
 chmod +x "$chroot/usr/sbin/policy-rc.d"
@@ -46,15 +46,15 @@ chmod +x "$chroot/usr/sbin/policy-rc.d"
 if [ -d /etc/apt/apt.conf.d ]; then cp -r /etc/apt/apt.conf.d/. "$chroot/etc/apt/apt.conf.d/"; fi
 inside() { chroot "$chroot" /usr/bin/env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root DEBIAN_FRONTEND=noninteractive "$@"; }
 quietly deb-update inside apt-get update -q
-quietly deb-install inside sh -c 'apt-get install -y -q --no-install-recommends /root/*.deb'
+quietly deb-install inside sh -c 'apt-get install -y -q --no-install-recommends /srv/*.deb'
 echo "installed in a clean $VERSION_CODENAME in $((SECONDS - begin)) s"
 inside adit --version
 inside sh -c 'cd /root && adit run clip.avi --method adit --csv out.csv --quiet && head -n 3 out.csv'
 "$folder/adit" run data/clip.avi --method adit --csv build/deb_here.csv --quiet
 # The first column is the file as it was named.
-cmp <(cut -d , -f 2- build/deb_here.csv) <(cut -d , -f 2- "$chroot/root/out.csv")
-inside adit fly s_bend --time 1 --quiet --out /root/flight
-inside test -s /root/flight/summary.json
+cmp <(cut -d , -f 2- build/deb_here.csv) <(cut -d , -f 2- "$chroot/srv/out.csv")
+inside adit fly s_bend --time 1 --quiet --out /srv/flight
+inside test -s /srv/flight/summary.json
 inside /usr/bin/python3 -c 'import adit, numpy; print(adit.OpenSpaceFinder().find(numpy.zeros((48, 64), numpy.uint8)))'
 inside test -s /usr/share/bash-completion/completions/adit
 inside ls -l /usr/lib | grep -q 'libadit.so.0 ->' || inside sh -c 'ls -l /usr/lib/*/libadit.so.0'

@@ -52,6 +52,14 @@ bool next_csv_row(const std::string& text, std::size_t& at, int& line, std::vect
   return true;
 }
 
+std::vector<std::string> csv_cells_of(const std::string& row) {
+  std::vector<std::string> cells;
+  std::size_t at = 0;
+  int line = 1;
+  next_csv_row(row, at, line, cells);
+  return cells;
+}
+
 CsvTable::CsvTable(const std::filesystem::path& path) : name_(path.string()) {
   std::string text = read(path);
   if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);

@@ -11,6 +11,9 @@ namespace adit::tools {
 /// Reads one row of a CSV text, and moves `at` to the next and `line` to its number; false at the end of the text.
 bool next_csv_row(const std::string& text, std::size_t& at, int& line, std::vector<std::string>& cells);
 
+/// The cells of a text of one row.
+[[nodiscard]] std::vector<std::string> csv_cells_of(const std::string& row);
+
 class CsvTable {
  public:
   /// Lines end with \n or \r\n; quoted cells may hold commas and line ends. Empty lines are passed over.

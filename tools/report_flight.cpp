@@ -5,27 +5,15 @@
 #include "report_figures.hpp"
 
 namespace adit::tools {
-namespace {
-
-std::vector<std::string> cells_of(const std::string& line) {
-  std::vector<std::string> cells;
-  std::size_t at = 0;
-  int number = 1;
-  next_csv_row(line, at, number, cells);
-  return cells;
-}
-
-}  // namespace
-
 FlightReport::FlightReport(const sim::Flight& flight, ReportOrigin origin)
     : explainer_(flight.settings().finder, flight.camera()) {
-  report_.table = ReportTable(cells_of(flight_csv_header()), "flight.csv");
+  report_.table = ReportTable(csv_cells_of(flight_csv_header()), "flight.csv");
   report_.origin = std::move(origin);
 }
 
 void FlightReport::add(const sim::Flight& flight) {
   const auto row = static_cast<std::int64_t>(report_.table.size());
-  report_.table.add(cells_of(flight_csv_line(flight.row())));
+  report_.table.add(csv_cells_of(flight_csv_line(flight.row())));
   if (!report_.pictures.frames.wants(row) || flight.frame().data == nullptr) return;
   StageImages stages;
   const OpenSpace seen = explainer_.explain(flight.frame(), stages);

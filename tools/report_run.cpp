@@ -10,14 +10,6 @@
 namespace adit::tools {
 namespace {
 
-std::vector<std::string> cells_of(const std::string& line) {
-  std::vector<std::string> cells;
-  std::size_t at = 0;
-  int number = 1;
-  next_csv_row(line, at, number, cells);
-  return cells;
-}
-
 ReportOrigin origin_of(const io::Configuration& configuration) {
   return origin_now(io::to_yaml(configuration), io::to_yaml({}));
 }
@@ -25,13 +17,13 @@ ReportOrigin origin_of(const io::Configuration& configuration) {
 }  // namespace
 
 RunReport::RunReport(const std::vector<std::string>& inputs, const io::Configuration& configuration) {
-  report_.table = ReportTable(cells_of(io::csv_header(false)), "table");
+  report_.table = ReportTable(csv_cells_of(io::csv_header(false)), "table");
   report_.origin = origin_of(configuration);
   report_.title = "Run over " + std::filesystem::path(inputs.front()).filename().string();
   if (inputs.size() > 1) report_.title += " and " + std::to_string(inputs.size() - 1) + " more";
 }
 
-void RunReport::add_row(const io::TableRow& row) { report_.table.add(cells_of(io::csv_line(row, false))); }
+void RunReport::add_row(const io::TableRow& row) { report_.table.add(csv_cells_of(io::csv_line(row, false))); }
 
 void RunReport::add_shot(std::int64_t row, const cv::Size& frame_size, ReportShot shot) {
   report_.pictures.add(row, frame_size, std::move(shot));

@@ -29,12 +29,13 @@ target_sources(adit_sim PRIVATE
 target_link_libraries(adit_sim PRIVATE embree TBB::tbb opencv_core opencv_imgcodecs)
 
 # The shading loops, once per kind of CPU. No fused multiply-add and no approximate division: the same bits on each.
+# -Wno-psabi: vectors wider than the target's go by value between functions of one file only.
 function(adit_shade_target name)
   add_library(adit_shade_${name} OBJECT ${CMAKE_CURRENT_SOURCE_DIR}/light/shade_kernels.cpp)
   target_link_libraries(adit_shade_${name} PRIVATE adit_options)
   target_compile_definitions(adit_shade_${name} PRIVATE ADIT_SHADE_TARGET=${name})
   set_target_properties(adit_shade_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
-  target_compile_options(adit_shade_${name} PRIVATE -O3 -fno-math-errno -fno-trapping-math ${ARGN})
+  target_compile_options(adit_shade_${name} PRIVATE -O3 -fno-math-errno -fno-trapping-math -Wno-psabi ${ARGN})
   target_sources(adit_sim PRIVATE $<TARGET_OBJECTS:adit_shade_${name}>)
 endfunction()
 adit_shade_target(plain)

@@ -1,15 +1,26 @@
 // What a tile of pixels sees: the tree is walked once for all its rays, near boxes first, and triangles are drawn with
 // edge functions. Included by shade_kernels.cpp.
 
-/// One bit a lane of sixteen flags that are 0 or -1.
-ADIT_LANE std::uint32_t bits_of(const std::int32_t* flags) {
+/// Sixteen lanes that are certain to be vector instructions, on each target in as many pieces as it takes.
+using Floats = float __attribute__((vector_size(4 * kTreeWidth), may_alias));
+using Ints = std::int32_t __attribute__((vector_size(4 * kTreeWidth), may_alias));
+
+ADIT_LANE const Floats& floats_at(const float* p) { return *reinterpret_cast<const Floats*>(p); }
+ADIT_LANE Floats& floats_at(float* p) { return *reinterpret_cast<Floats*>(p); }
+ADIT_LANE Ints& ints_at(std::int32_t* p) { return *reinterpret_cast<Ints*>(p); }
+ADIT_LANE Floats all_of(float x) { return x - Floats{}; }
+ADIT_LANE Floats lesser(const Floats& a, const Floats& b) { return a < b ? a : b; }
+ADIT_LANE Floats greater(const Floats& a, const Floats& b) { return a > b ? a : b; }
+ADIT_LANE Ints truncated(const Floats& x) { return __builtin_convertvector(x, Ints); }
+
+/// One bit a lane of flags that are 0 or -1.
+ADIT_LANE std::uint32_t bits_of(const Ints& flags) {
 #if defined(__AVX512DQ__)
-  return _mm512_movepi32_mask(_mm512_load_si512(flags));
+  return _mm512_movepi32_mask(reinterpret_cast<const __m512i&>(flags));
 #elif defined(__AVX2__)
-  const auto low = _mm256_load_ps(reinterpret_cast<const float*>(flags));
-  const auto high = _mm256_load_ps(reinterpret_cast<const float*>(flags) + 8);
-  return static_cast<std::uint32_t>(_mm256_movemask_ps(low)) | static_cast<std::uint32_t>(_mm256_movemask_ps(high))
-                                                                   << 8;
+  const auto* const halves = reinterpret_cast<const __m256*>(&flags);
+  return static_cast<std::uint32_t>(_mm256_movemask_ps(halves[0])) |
+         static_cast<std::uint32_t>(_mm256_movemask_ps(halves[1])) << 8;
 #else
   std::uint32_t bits = 0;
   for (int j = 0; j < kTreeWidth; ++j) bits |= (static_cast<std::uint32_t>(flags[j]) >> 31) << j;
@@ -22,36 +33,106 @@ struct Way {
 };
 ADIT_LANE float dot(const Way& a, const Way& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
-/// The pyramids of a tile and of its blocks; rays start within `slack` of one origin.
+/// A tile's pyramid of rays, and what they have met.
 struct alignas(64) Sight {
   // Rays and what they have met, block by block: 1 / range of the nearest so far, 0 for nothing.
   float dx[kTileLanes], dy[kTileLanes], dz[kTileLanes], nearest[kTileLanes];
   std::int32_t triangle[kTileLanes];
   float farthest[kBlocks];  ///< least of `nearest` in each block
-  // Planes through the origin; inside is where p * n >= -slack. Left of the eight columns of blocks, then right.
-  float column_x[kTreeWidth], column_y[kTreeWidth], column_z[kTreeWidth];
-  float row_x[4], row_y[4], row_z[4];  ///< above the two rows of blocks, then below
-  Way side[4];                         ///< of the whole tile
+  std::uint32_t drawn;      ///< blocks whose `farthest` waits to be brought up to date, a bit each
   Way origin;
-  float slack;
+  // The tile's own frame: right, down and forward. All zero where its rays do not make a grid: then nothing is
+  // culled.
+  Way right, down, forward;
+  Way side[4];  ///< planes through the origin, the pyramid inside: p * n >= 0
+  // In this frame a ray runs through (x, y, 1), and that of pixel (u, v) lies within (x_low, x_high) of x_first +
+  // u * step; so that from an interval of x follows which columns it may hold.
+  float x_first, x_low, x_high, columns_per_x;
+  float y_first, y_low, y_high, rows_per_y;
 };
 
-/// A plane through the directions of lanes a and b, turned towards lane `inner` and tilted until none of the lanes
-/// from a to b (by step) lies outside: lenses bend lines and the shutter rolls.
-Way plane_through(const Tile& t, int a, int b, int step, int inner) {
-  const auto way = [&t](int i) { return Way{t.dx[i], t.dy[i], t.dz[i]}; };
-  const Way p = way(a), q = way(b), in = way(inner);
-  Way n{p.y * q.z - p.z * q.y, p.z * q.x - p.x * q.z, p.x * q.y - p.y * q.x};
-  const float turn = (dot(n, in) < 0.0f ? -1.0f : 1.0f) / std::sqrt(dot(n, n) + 1e-30f);
-  n = {n.x * turn, n.y * turn, n.z * turn};
-  float out = 1e-6f;
-  for (int i = a; i <= b; i += step) {
-    const float beyond = -dot(n, way(i));
-    out = beyond > out ? beyond : out;
+/// Rounding: of places, m, up to a kilometre away, and of slopes x / z.
+constexpr float kPlaceSlack_m = 2e-4f;
+constexpr float kSlopeSlack = 1e-5f;
+constexpr float kBeside_m = 0.01f;  ///< nearer to the lens's plane slopes are not used
+
+ADIT_LANE Way scaled(const Way& a, float by) { return {a.x * by, a.y * by, a.z * by}; }
+ADIT_LANE Way sum(const Way& a, const Way& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+ADIT_LANE Way cross(const Way& a, const Way& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+/// Where a tile's rays run in its own frame: extremes over each column of pixels.
+struct alignas(64) Slopes {
+  float x[kTileLanes], y[kTileLanes];
+  float x_low[kTileWidth], x_high[kTileWidth], y_low[kTileWidth], y_high[kTileWidth];
+};
+
+ADIT_LANE float lesser(float a, float b) { return a < b ? a : b; }
+ADIT_LANE float greater(float a, float b) { return a > b ? a : b; }
+
+/// @return whether all rays go forward.
+bool slopes_of(const Tile& t, const Sight& s, Slopes& slopes) {
+  const Way right = s.right, down = s.down, forward = s.forward;
+  std::int32_t aside = 0;
+  ADIT_LANES
+  for (int i = 0; i < kTileLanes; ++i) {
+    const float z = t.dx[i] * forward.x + t.dy[i] * forward.y + t.dz[i] * forward.z;
+    aside |= z > 0.05f ? 0 : 1;
+    slopes.x[i] = (t.dx[i] * right.x + t.dy[i] * right.y + t.dz[i] * right.z) / z;
+    slopes.y[i] = (t.dx[i] * down.x + t.dy[i] * down.y + t.dz[i] * down.z) / z;
   }
-  const Way m = way(inner);
-  out *= 1.1f;  // lanes of a tile lie close enough together that their cosine is above 1 / 1.1
-  return {n.x + out * m.x, n.y + out * m.y, n.z + out * m.z};
+  return aside == 0;
+}
+
+/// The columns and rows of the grid, and how far its rays lie off them.
+void fit_grid(Sight& s, Slopes& g) {
+  constexpr int kMiddle = kTileHeight / 2 * kTileWidth + kTileWidth / 2;
+  // The first step, not the mean: lanes beyond the image's edge repeat its last pixel.
+  const float x_step = g.x[kMiddle - kTileWidth / 2 + 1] - g.x[kMiddle - kTileWidth / 2];
+  const float y_step = g.y[kTileWidth + kTileWidth / 2] - g.y[kTileWidth / 2];
+  s.x_first = g.x[kMiddle - kTileWidth / 2];
+  s.y_first = g.y[kTileWidth / 2];
+  for (int u = 0; u < kTileWidth; ++u) {
+    g.x_low[u] = g.y_low[u] = 1e9f;
+    g.x_high[u] = g.y_high[u] = -1e9f;
+  }
+  float x_least = 1e9f, x_most = -1e9f, y_least = 1e9f, y_most = -1e9f;
+  for (int v = 0; v < kTileHeight; ++v) {
+    const float y = s.y_first + static_cast<float>(v) * y_step;
+    ADIT_LANES
+    for (int u = 0; u < kTileWidth; ++u) {
+      const int i = v * kTileWidth + u;
+      const float x_off = g.x[i] - (s.x_first + static_cast<float>(u) * x_step), y_off = g.y[i] - y;
+      g.x_low[u] = lesser(g.x_low[u], x_off);
+      g.x_high[u] = greater(g.x_high[u], x_off);
+      g.y_low[u] = lesser(g.y_low[u], y_off);
+      g.y_high[u] = greater(g.y_high[u], y_off);
+    }
+  }
+  s.x_low = s.y_low = 1e9f;
+  s.x_high = s.y_high = -1e9f;
+  for (int u = 0; u < kTileWidth; ++u) {
+    const float x = s.x_first + static_cast<float>(u) * x_step;
+    x_least = lesser(x_least, x + g.x_low[u]);
+    x_most = greater(x_most, x + g.x_high[u]);
+    s.x_low = lesser(s.x_low, g.x_low[u]);
+    s.x_high = greater(s.x_high, g.x_high[u]);
+    s.y_low = lesser(s.y_low, g.y_low[u]);
+    s.y_high = greater(s.y_high, g.y_high[u]);
+  }
+  y_least = s.y_first + s.y_low;
+  y_most = s.y_first + (kTileHeight - 1) * y_step + s.y_high;
+  if (!(x_step > 1e-7f) || !(y_step > 1e-7f)) {
+    s.right = s.down = s.forward = Way{0.0f, 0.0f, 0.0f};
+    return;
+  }
+  s.columns_per_x = 1.0f / x_step;
+  s.rows_per_y = 1.0f / y_step;
+  s.side[0] = sum(s.right, scaled(s.forward, -(x_least - kSlopeSlack)));
+  s.side[1] = sum(scaled(s.right, -1.0f), scaled(s.forward, x_most + kSlopeSlack));
+  s.side[2] = sum(s.down, scaled(s.forward, -(y_least - kSlopeSlack)));
+  s.side[3] = sum(scaled(s.down, -1.0f), scaled(s.forward, y_most + kSlopeSlack));
 }
 
 void aim_sight(const Tile& t, Sight& s) {
@@ -66,204 +147,179 @@ void aim_sight(const Tile& t, Sight& s) {
       s.triangle[j] = -1;
     }
   for (int b = 0; b < kBlocks; ++b) s.farthest[b] = 0.0f;
+  s.drawn = 0;
   constexpr int kMiddle = kTileHeight / 2 * kTileWidth;
-  constexpr int kColumns = kTileWidth / kBlock, kBottom = (kTileHeight - 1) * kTileWidth;
-  for (int c = 0; c < kColumns; ++c) {
-    const int left = c * kBlock, right = left + kBlock - 1;
-    const Way planes[2] = {plane_through(t, left, left + kBottom, kTileWidth, kMiddle + right),
-                           plane_through(t, right, right + kBottom, kTileWidth, kMiddle + left)};
-    for (int k = 0; k < 2; ++k) {
-      s.column_x[c + k * kColumns] = planes[k].x;
-      s.column_y[c + k * kColumns] = planes[k].y;
-      s.column_z[c + k * kColumns] = planes[k].z;
-    }
-  }
-  for (int r = 0; r < 2; ++r) {
-    const int upper = r * kBlock * kTileWidth, lower = upper + (kBlock - 1) * kTileWidth;
-    const Way planes[2] = {plane_through(t, upper, upper + kTileWidth - 1, 1, lower + kTileWidth / 2),
-                           plane_through(t, lower, lower + kTileWidth - 1, 1, upper + kTileWidth / 2)};
-    for (int k = 0; k < 2; ++k) {
-      s.row_x[r + 2 * k] = planes[k].x;
-      s.row_y[r + 2 * k] = planes[k].y;
-      s.row_z[r + 2 * k] = planes[k].z;
-    }
-  }
-  const auto column = [&s](int c) { return Way{s.column_x[c], s.column_y[c], s.column_z[c]}; };
-  const auto row = [&s](int r) { return Way{s.row_x[r], s.row_y[r], s.row_z[r]}; };
-  const Way sides[4] = {column(0), column(2 * kColumns - 1), row(0), row(3)};
-  for (int k = 0; k < 4; ++k) s.side[k] = sides[k];
+  const auto way = [&t](int i) { return Way{t.dx[i], t.dy[i], t.dz[i]}; };
+  const Way left = way(kMiddle), top = way(kTileWidth / 2);
   s.origin = {t.ox[kMiddle], t.oy[kMiddle], t.oz[kMiddle]};
-  s.slack = 1e-5f;
-  for (int v = 0; v < kTileHeight; ++v) {
-    const int i = v * kTileWidth;
-    const Way d{t.ox[i] - s.origin.x, t.oy[i] - s.origin.y, t.oz[i] - s.origin.z};
-    const float off = std::sqrt(dot(d, d)) + 1e-5f;
-    s.slack = off > s.slack ? off : s.slack;
-  }
+  s.forward = way(kMiddle + kTileWidth / 2);
+  Way across = sum(way(kMiddle + 1), scaled(left, -1.0f));
+  across = sum(across, scaled(s.forward, -dot(across, s.forward)));
+  s.right = scaled(across, 1.0f / std::sqrt(dot(across, across) + 1e-30f));
+  s.down = cross(s.forward, s.right);
+  if (dot(s.down, top) > 0.0f) s.down = scaled(s.down, -1.0f);
+  for (Way& n : s.side) n = {0.0f, 0.0f, 0.0f};
+  static thread_local Slopes slopes;
+  if (slopes_of(t, s, slopes))
+    fit_grid(s, slopes);
+  else
+    s.right = s.down = s.forward = Way{0.0f, 0.0f, 0.0f};
 }
 
 /// How far x lies outside of an interval.
-ADIT_LANE float outside(float x, float low, float high) {
-  const float below = low - x, above = x - high;
-  const float d = below > above ? below : above;
-  return d > 0.0f ? d : 0.0f;
+ADIT_LANE Floats outside(float x, const Floats& low, const Floats& high) {
+  return greater(greater(low - x, x - high), Floats{});
 }
 
 /// Children in the pyramid that nothing nearer hides, and the squared distances of their boxes.
-std::uint32_t children_in_sight(const Sight& s, const TreeNode& node, float farthest2_inverse, float* distance2) {
-  alignas(64) std::int32_t flags[kTreeWidth];
-  ADIT_LANES
-  for (int j = 0; j < kTreeWidth; ++j) flags[j] = -1;
+std::uint32_t children_in_sight(const Sight& s, const TreeNode& node, float farthest2_inverse, Floats& distance2) {
+  const Way o = s.origin;
+  Ints flags = Ints{} - 1;
   for (const Way& n : s.side) {
-    const float* const x = n.x >= 0.0f ? node.high[0] : node.low[0];
-    const float* const y = n.y >= 0.0f ? node.high[1] : node.low[1];
-    const float* const z = n.z >= 0.0f ? node.high[2] : node.low[2];
-    ADIT_LANES
-    for (int j = 0; j < kTreeWidth; ++j) {
-      const float d = n.x * (x[j] - s.origin.x) + n.y * (y[j] - s.origin.y) + n.z * (z[j] - s.origin.z);
-      flags[j] &= d >= -s.slack ? -1 : 0;
-    }
+    const Floats& x = floats_at(n.x >= 0.0f ? node.high[0] : node.low[0]);
+    const Floats& y = floats_at(n.y >= 0.0f ? node.high[1] : node.low[1]);
+    const Floats& z = floats_at(n.z >= 0.0f ? node.high[2] : node.low[2]);
+    flags &= n.x * (x - o.x) + n.y * (y - o.y) + n.z * (z - o.z) >= -kPlaceSlack_m;
   }
-  ADIT_LANES
-  for (int j = 0; j < kTreeWidth; ++j) {
-    const float x = outside(s.origin.x, node.low[0][j], node.high[0][j]);
-    const float y = outside(s.origin.y, node.low[1][j], node.high[1][j]);
-    const float z = outside(s.origin.z, node.low[2][j], node.high[2][j]);
-    const float sum = x * x + y * y + z * z;
-    distance2[j] = sum;
-    flags[j] &= sum * farthest2_inverse <= 1.001f ? -1 : 0;
-  }
+  const Floats x = outside(o.x, floats_at(node.low[0]), floats_at(node.high[0]));
+  const Floats y = outside(o.y, floats_at(node.low[1]), floats_at(node.high[1]));
+  const Floats z = outside(o.z, floats_at(node.low[2]), floats_at(node.high[2]));
+  distance2 = x * x + y * y + z * z;
+  flags &= distance2 * farthest2_inverse <= 1.001f;
   return bits_of(flags) & ((1u << node.count) - 1u);
+}
+
+/// A place in each lane.
+struct Ways {
+  Floats x, y, z;
+};
+ADIT_LANE Floats dot(const Way& a, const Ways& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+
+/// (a - b) x (a + b) = 2 a x b, and exactly its negative with a and b swapped. Far from the origin it is as sharp as
+/// near by, where the plain product loses the small difference of two long vectors.
+ADIT_LANE Ways cross(const Ways& a, const Ways& b) {
+  const Ways d{a.x - b.x, a.y - b.y, a.z - b.z}, m{a.x + b.x, a.y + b.y, a.z + b.z};
+  return {d.y * m.z - d.z * m.y, d.z * m.x - d.x * m.z, d.x * m.y - d.y * m.x};
 }
 
 /// The triangles of a leaf seen from the origin: normals of the planes through it and each edge, three dots with which
 /// are the barycentric coordinates. Neighbours share edges to the bit, so that no ray slips through between them.
-struct alignas(64) EdgePlanes {
-  float n[3][3][kTreeWidth];  ///< [against corner][axis]
-  float inverse[kTreeWidth];  ///< (sum of the three dots) * inverse is 1 / range
-  float p[3][3][kTreeWidth];  ///< corners from the origin
-  std::int32_t seen[kTreeWidth];
+struct EdgePlanes {
+  Ways n[3];       ///< against each corner
+  Floats inverse;  ///< (sum of the three dots) * inverse is 1 / range
+  Floats nearest;  ///< 1 / range is less than that
+  Ints blocks;     ///< that may see it, a bit each
 };
 
-void cross(const float (*a)[kTreeWidth], const float (*b)[kTreeWidth], float (*n)[kTreeWidth]) {
-  const float *const ax = a[0], *const ay = a[1], *const az = a[2];
-  const float *const bx = b[0], *const by = b[1], *const bz = b[2];
-  float *const nx = n[0], *const ny = n[1], *const nz = n[2];
-  ADIT_LANES
-  for (int j = 0; j < kTreeWidth; ++j) {
-    nx[j] = ay[j] * bz[j] - az[j] * by[j];
-    ny[j] = az[j] * bx[j] - ax[j] * bz[j];
-    nz[j] = ax[j] * by[j] - ay[j] * bx[j];
+/// Pixels of a triangle lie in a rectangle of the grid: most triangles that are smaller than pixels hold no ray.
+/// @param corner in the tile's frame, all before the lens.
+void find_blocks(const Sight& s, const Ways corner[3], EdgePlanes& e) {
+  Floats x_low, x_high, y_low, y_high;
+  for (int k = 0; k < 3; ++k) {
+    const Floats inverse = 1.0f / corner[k].z;
+    const Floats x = corner[k].x * inverse, y = corner[k].y * inverse;
+    e.nearest = k == 0 ? inverse : greater(e.nearest, inverse);
+    x_low = k == 0 ? x : lesser(x_low, x);
+    x_high = k == 0 ? x : greater(x_high, x);
+    y_low = k == 0 ? y : lesser(y_low, y);
+    y_high = k == 0 ? y : greater(y_high, y);
   }
+  // First and last column and row, by rounding down of numbers that are made positive by an offset.
+  constexpr float kOffset = 64.0f;
+  constexpr int kOff = 64;
+  const auto down_from = [](const Floats& x, int last) {
+    return truncated(lesser(greater(x + kOffset, all_of(kOffset - 1.0f)), all_of(static_cast<float>(last + kOff))));
+  };
+  const auto up_from = [](const Floats& x, int end) {
+    return kOff - truncated(lesser(greater(kOffset - x, all_of(static_cast<float>(kOff - end))), all_of(kOffset)));
+  };
+  const Ints u0 = up_from((x_low - (s.x_first + s.x_high + kSlopeSlack)) * s.columns_per_x, kTileWidth);
+  const Ints u1 = down_from((x_high - (s.x_first + s.x_low - kSlopeSlack)) * s.columns_per_x, kTileWidth - 1) - kOff;
+  const Ints v0 = up_from((y_low - (s.y_first + s.y_high + kSlopeSlack)) * s.rows_per_y, kTileHeight);
+  const Ints v1 = down_from((y_high - (s.y_first + s.y_low - kSlopeSlack)) * s.rows_per_y, kTileHeight - 1) - kOff;
+  const Ints columns = ((Ints{} + 0xff) << (u0 >> 2)) & (((Ints{} + 2) << (u1 >> 2)) - 1);
+  e.blocks = ((columns & (v0 < kBlock)) | ((columns << 8) & (v1 >= kBlock))) & (u0 <= u1) & (v0 <= v1);
 }
 
-std::uint32_t edges_of(const Sight& s, const TreeLeaf& leaf, EdgePlanes& e) {
-  const float o[3] = {s.origin.x, s.origin.y, s.origin.z};
-  for (int k = 0; k < 3; ++k)
-    for (int axis = 0; axis < 3; ++axis) {
-      ADIT_LANES
-      for (int j = 0; j < kTreeWidth; ++j) e.p[k][axis][j] = leaf.corner[k][axis][j] - o[axis];
-    }
-  ADIT_LANES
-  for (int j = 0; j < kTreeWidth; ++j) e.seen[j] = -1;
-  for (const Way& n : s.side) {
-    ADIT_LANES
-    for (int j = 0; j < kTreeWidth; ++j) {
-      const float a = n.x * e.p[0][0][j] + n.y * e.p[0][1][j] + n.z * e.p[0][2][j];
-      const float b = n.x * e.p[1][0][j] + n.y * e.p[1][1][j] + n.z * e.p[1][2][j];
-      const float c = n.x * e.p[2][0][j] + n.y * e.p[2][1][j] + n.z * e.p[2][2][j];
-      const float ab = a > b ? a : b;
-      e.seen[j] &= (ab > c ? ab : c) >= -s.slack ? -1 : 0;
-    }
-  }
-  cross(e.p[1], e.p[2], e.n[0]);
-  cross(e.p[2], e.p[0], e.n[1]);
-  cross(e.p[0], e.p[1], e.n[2]);
-  const float *const x = e.p[0][0], *const y = e.p[0][1], *const z = e.p[0][2];
-  const float *const nx = e.n[0][0], *const ny = e.n[0][1], *const nz = e.n[0][2];
-  alignas(64) float sides[kTreeWidth];
-  float* const inverse = e.inverse;
-  ADIT_LANES
-  for (int j = 0; j < kTreeWidth; ++j) {
-    const float volume = x[j] * nx[j] + y[j] * ny[j] + z[j] * nz[j];
-    const float size = volume < 0.0f ? -volume : volume;
-    sides[j] = volume < 0.0f ? -1.0f : 1.0f;
-    inverse[j] = size > 1e-20f ? 1.0f / size : 0.0f;  // 0: seen edge on, never hit
-  }
-  float* const normals = &e.n[0][0][0];
-  for (int k = 0; k < 9; ++k) {
-    ADIT_LANES
-    for (int j = 0; j < kTreeWidth; ++j) normals[k * kTreeWidth + j] *= sides[j];
-  }
-  return bits_of(e.seen) & ((1u << leaf.count) - 1u);
+/// The same for leaves beside the lens, where slopes mean nothing: all blocks, where the tile's pyramid is reached.
+void find_blocks_beside(const Sight& s, const Ways corner[3], EdgePlanes& e) {
+  e.nearest = all_of(1e30f);
+  e.blocks = Ints{} + 0xffff;
+  for (const Way& n : s.side)
+    e.blocks &= greater(greater(dot(n, corner[0]), dot(n, corner[1])), dot(n, corner[2])) >= -kPlaceSlack_m;
 }
 
-/// Whether any of three corners lies inside of each plane: flags of 0 or -1.
-ADIT_LANE void reaches(const float* x, const float* y, const float* z, int count, const Way* p, float slack,
-                       std::int32_t* flags) {
-  const Way p0 = p[0], p1 = p[1], p2 = p[2];
-  ADIT_LANES
-  for (int c = 0; c < count; ++c) {
-    const float d0 = x[c] * p0.x + y[c] * p0.y + z[c] * p0.z;
-    const float d1 = x[c] * p1.x + y[c] * p1.y + z[c] * p1.z;
-    const float d2 = x[c] * p2.x + y[c] * p2.y + z[c] * p2.z;
-    const float d01 = d0 > d1 ? d0 : d1;
-    flags[c] = (d01 > d2 ? d01 : d2) >= -slack ? -1 : 0;
-  }
-}
-
-/// Blocks whose pyramids triangle j reaches into, a bit each.
-std::uint32_t blocks_of(const Sight& s, const EdgePlanes& e, int j) {
-  Way p[3];
-  for (int k = 0; k < 3; ++k) p[k] = {e.p[k][0][j], e.p[k][1][j], e.p[k][2][j]};
-  alignas(64) std::int32_t flags[kTreeWidth];
-  reaches(s.column_x, s.column_y, s.column_z, kTreeWidth, p, s.slack, flags);
-  const std::uint32_t inside = bits_of(flags);
-  const std::uint32_t columns = inside & inside >> 8 & 0xffu;
-  reaches(s.row_x, s.row_y, s.row_z, 4, p, s.slack, flags);
-  const auto upper = static_cast<std::uint32_t>(flags[0] & flags[2]),
-             lower = static_cast<std::uint32_t>(flags[1] & flags[3]);
-  return (columns & upper) | (columns << 8 & lower);
+void make_planes(const Ways corner[3], EdgePlanes& e) {
+  e.n[0] = cross(corner[1], corner[2]);
+  e.n[1] = cross(corner[2], corner[0]);
+  e.n[2] = cross(corner[0], corner[1]);
+  const Floats volume = corner[0].x * e.n[0].x + corner[0].y * e.n[0].y + corner[0].z * e.n[0].z;
+  const Floats side = volume < 0.0f ? all_of(-1.0f) : all_of(1.0f);
+  const Floats size = volume * side;
+  e.inverse = size > 1e-20f ? 1.0f / size : Floats{};  // 0: seen edge on, never hit
+  for (Ways& n : e.n) n = {n.x * side, n.y * side, n.z * side};
 }
 
 void draw_in_block(Sight& s, const EdgePlanes& e, int j, std::int32_t triangle, int block) {
   constexpr float kNearest_1_m = 1.0f / 0.02f;  // nothing nearer than that is seen
-  float n[3][3];
-  for (int k = 0; k < 3; ++k)
-    for (int axis = 0; axis < 3; ++axis) n[k][axis] = e.n[k][axis][j];
-  const float inverse = e.inverse[j];
   const int first = block * kPacketLanes;
-  float* const nearest = s.nearest + first;
-  std::int32_t* const owner = s.triangle + first;
-  const float *const dx = s.dx + first, *const dy = s.dy + first, *const dz = s.dz + first;
-  std::int32_t least = 0x7f7fffff;
-  ADIT_LANES
-  for (int i = 0; i < kPacketLanes; ++i) {
-    const float a = dx[i] * n[0][0] + dy[i] * n[0][1] + dz[i] * n[0][2];
-    const float b = dx[i] * n[1][0] + dy[i] * n[1][1] + dz[i] * n[1][2];
-    const float c = dx[i] * n[2][0] + dy[i] * n[2][1] + dz[i] * n[2][2];
-    const float here = (a + b + c) * inverse;
-    const bool hit = (a >= 0.0f) & (b >= 0.0f) & (c >= 0.0f) & (here > nearest[i]) & (here < kNearest_1_m);
-    const float now = hit ? here : nearest[i];
-    nearest[i] = now;
-    owner[i] = hit ? triangle : owner[i];
-    const std::int32_t bits = float_to_bits(now);  // not negative: in order as integers, too
-    least = bits < least ? bits : least;
-  }
-  s.farthest[block] = bits_to_float(least);
+  const Ways ray{floats_at(s.dx + first), floats_at(s.dy + first), floats_at(s.dz + first)};
+  Floats& nearest = floats_at(s.nearest + first);
+  Ints& owner = ints_at(s.triangle + first);
+  const Floats a = ray.x * e.n[0].x[j] + ray.y * e.n[0].y[j] + ray.z * e.n[0].z[j];
+  const Floats b = ray.x * e.n[1].x[j] + ray.y * e.n[1].y[j] + ray.z * e.n[1].z[j];
+  const Floats c = ray.x * e.n[2].x[j] + ray.y * e.n[2].y[j] + ray.z * e.n[2].z[j];
+  const Floats here = (a + b + c) * e.inverse[j];
+  const Ints hit = (a >= 0.0f) & (b >= 0.0f) & (c >= 0.0f) & (here > nearest) & (here < kNearest_1_m);
+  nearest = hit ? here : nearest;
+  owner = hit ? Ints{} + triangle : owner;
 }
 
 void draw_leaf(Sight& s, const TreeLeaf& leaf) {
   EdgePlanes e;
-  for (std::uint32_t left = edges_of(s, leaf, e); left != 0; left &= left - 1) {
+  Ways corner[3], own[3];
+  Ints ahead = Ints{} - 1;
+  for (int k = 0; k < 3; ++k) {
+    corner[k] = {floats_at(leaf.corner[k][0]) - s.origin.x, floats_at(leaf.corner[k][1]) - s.origin.y,
+                 floats_at(leaf.corner[k][2]) - s.origin.z};
+    own[k] = {dot(s.right, corner[k]), dot(s.down, corner[k]), dot(s.forward, corner[k])};
+    ahead &= own[k].z > kBeside_m;
+  }
+  if (bits_of(ahead) == 0xffffu)
+    find_blocks(s, own, e);
+  else
+    find_blocks_beside(s, corner, e);
+  std::uint32_t left = bits_of(e.blocks != 0) & ((1u << leaf.count) - 1u);
+  if (left == 0) return;
+  make_planes(corner, e);
+  for (; left != 0; left &= left - 1) {
     const int j = __builtin_ctz(left);
-    for (std::uint32_t blocks = blocks_of(s, e, j); blocks != 0; blocks &= blocks - 1)
-      draw_in_block(s, e, j, leaf.triangle[j], __builtin_ctz(blocks));
+    for (auto blocks = static_cast<std::uint32_t>(e.blocks[j]); blocks != 0; blocks &= blocks - 1) {
+      const int block = __builtin_ctz(blocks);
+      if (e.nearest[j] * 1.0001f < s.farthest[block]) continue;
+      draw_in_block(s, e, j, leaf.triangle[j], block);
+      s.drawn |= 1u << block;
+    }
+  }
+}
+
+/// Brings `farthest` of blocks that were drawn to up to date.
+void settle_farthest(Sight& s) {
+  for (; s.drawn != 0; s.drawn &= s.drawn - 1) {
+    const int block = __builtin_ctz(s.drawn);
+    std::int32_t least = 0x7f7fffff;
+    ADIT_LANES
+    for (int i = 0; i < kPacketLanes; ++i) {
+      const std::int32_t bits = float_to_bits(s.nearest[block * kPacketLanes + i]);
+      least = bits < least ? bits : least;  // not negative: in order as integers, too
+    }
+    s.farthest[block] = bits_to_float(least);
   }
 }
 
 /// 1 / squared range of the farthest pixel; 0 while one has met nothing.
-float farthest2_inverse(const Sight& s) {
+float farthest2_inverse(Sight& s) {
+  settle_farthest(s);
   std::int32_t least = 0x7f7fffff;
   for (int b = 0; b < kBlocks; ++b) {
     const std::int32_t bits = float_to_bits(s.farthest[b]);
@@ -291,7 +347,7 @@ void draw_tree(Sight& s, const TreeNode* nodes, const TreeLeaf* leaves) {
       continue;
     }
     const TreeNode& node = nodes[entry.child];
-    alignas(64) float distance2[kTreeWidth];
+    Floats distance2;
     const int first = depth;
     for (std::uint32_t left = children_in_sight(s, node, hidden, distance2); left != 0; left &= left - 1) {
       const int j = __builtin_ctz(left);

@@ -10,6 +10,7 @@ target_sources(adit_sim PRIVATE
   light/contact.cpp
   light/triangle_table.cpp
   light/lamp_lobe.cpp
+  light/lamp_parallax.cpp
   light/dust.cpp
   light/virtual_lights.cpp
   light/foreign_lamps.cpp

@@ -10,6 +10,7 @@ namespace adit::sim {
 namespace {
 
 using Eigen::Vector3f;
+constexpr std::uint32_t kAllBlocks = (1u << kBlocks) - 1u;
 
 void fill_row_poses(Renderer::Parts& parts, const CameraMotion& motion, float readout_s) {
   parts.row_poses.resize(static_cast<std::size_t>(parts.rows));
@@ -59,7 +60,18 @@ Bounds bounds_of(const Tile& t) {
   return b;
 }
 
-void add_own_lamps(Tile& t, const Renderer::Parts& parts, const RowPose* rows, float least_lux) {
+/// Blocks of a tile that are marked in the frame, a bit each.
+std::uint32_t marked_in(const std::vector<std::uint8_t>& blocks, const Renderer::Parts& parts, int u0, int v0) {
+  constexpr int kAcross = kTileWidth / kBlock;
+  std::uint32_t bits = 0;
+  for (int b = 0; b < kBlocks; ++b) {
+    const int u = u0 / kBlock + b % kAcross, v = v0 / kBlock + b / kAcross;
+    bits |= static_cast<std::uint32_t>(blocks[static_cast<std::size_t>(v) * (parts.stride / kBlock) + u]) << b;
+  }
+  return bits;
+}
+
+void add_own_lamps(Tile& t, const Renderer::Parts& parts, const RowPose* rows, int u0, int v0, float least_lux) {
   for (std::size_t l = 0; l < parts.own_lamps.size(); ++l) {
     const OwnLamp& lamp = parts.own_lamps[l];
     const LampTerms terms{rows[0].lamp_place[l],
@@ -70,7 +82,7 @@ void add_own_lamps(Tile& t, const Renderer::Parts& parts, const RowPose* rows, f
                           0.0f,
                           parts.rig.dust.extinction_1_m};
     shade_kernels().lamp(t, terms);
-    add_unshadowed(t, parts, terms, least_lux, t.own, t.own_specular);
+    add_unshadowed(t, parts, terms, least_lux, marked_in(parts.dark_blocks[l], parts, u0, v0), t.own, t.own_specular);
   }
 }
 
@@ -84,7 +96,7 @@ void add_foreign_lamps(Tile& t, const Renderer::Parts& parts, float least_lux) {
     if (lamp.intensity_cd * std::exp(-sigma * std::sqrt(d2)) < least_lux * d2) continue;
     const LampTerms terms{lamp.place.data(), lamp.axis.data(), 0, lamp.lobe.table(), lamp.intensity_cd, radius2, sigma};
     shade_kernels().lamp(t, terms);
-    add_unshadowed(t, parts, terms, least_lux, lamp.daylight ? t.sky : t.foreign, t.foreign_specular);
+    add_unshadowed(t, parts, terms, least_lux, kAllBlocks, lamp.daylight ? t.sky : t.foreign, t.foreign_specular);
   }
   const float clamp2 = parts.render.indirect_clamp_m * parts.render.indirect_clamp_m;
   for (const VirtualLight& light : parts.foreign_bounces)
@@ -120,19 +132,62 @@ void add_zenith(Tile& t, const Renderer::Parts& parts) {
   }
 }
 
-void light_tile(Renderer::Parts& parts, int tile_u, int tile_v, float least_lux) {
+/// Where a tile stands in the frame.
+struct TilePlace {
+  int u0, v0, index;
+  std::size_t at;  ///< of its first pixel
+  TilePlace(const Renderer::Parts& parts, int tile) : index(tile) {
+    const int across = parts.stride / kTileWidth;
+    u0 = tile % across * kTileWidth;
+    v0 = tile / across * kTileHeight;
+    at = static_cast<std::size_t>(v0) * parts.stride + u0;
+  }
+};
+
+void aim_tile(Tile& t, const Renderer::Parts& parts, const TilePlace& place) {
+  const float* const directions[3] = {&parts.directions[0][place.at], &parts.directions[1][place.at],
+                                      &parts.directions[2][place.at]};
+  shade_kernels().aim(t, &parts.row_poses[static_cast<std::size_t>(place.v0)], directions, parts.stride);
+}
+
+void see_tile(Renderer::Parts& parts, int tile) {
   static thread_local Tile t;
-  const int u0 = tile_u * kTileWidth, v0 = tile_v * kTileHeight;
-  const std::size_t at = static_cast<std::size_t>(v0) * parts.stride + u0;
+  const TilePlace place(parts, tile);
+  aim_tile(t, parts, place);
+  trace_tile(t, parts.row_poses[static_cast<std::size_t>(place.v0 + kTileHeight / 2)], parts);
+  parts.hits[static_cast<std::size_t>(tile)] = t;
+  for (int v = 0; v < kTileHeight; ++v)
+    std::copy_n(&t.range[v * kTileWidth], kTileWidth,
+                &parts.range[place.at + static_cast<std::size_t>(v) * parts.stride]);
+}
+
+/// Blocks that the own lamps may leave dark, from what all tiles see.
+void watch_own_lamps(Renderer::Parts& parts) {
+  const std::size_t blocks = static_cast<std::size_t>(parts.stride / kBlock) * (parts.rows / kBlock);
+  parts.dark_blocks.resize(parts.own_lamps.size());
+  for (std::size_t l = 0; l < parts.own_lamps.size(); ++l) {
+    const ParallaxTable& table = parts.own_lamps[l].parallax;
+    parts.dark_blocks[l].assign(blocks, table.lines == 0 ? 1 : 0);
+    parts.each(table.lines / kTreeWidth, [&](int i) {
+      shade_kernels().parallax(table, i * kTreeWidth, parts.range.data(), parts.stride, parts.rows,
+                               parts.dark_blocks[l].data());
+    });
+  }
+}
+
+void light_tile(Renderer::Parts& parts, int tile, float least_lux) {
+  static thread_local Tile t;
+  const TilePlace place(parts, tile);
+  const int u0 = place.u0, v0 = place.v0;
+  const std::size_t at = place.at;
   const RowPose* const rows = &parts.row_poses[static_cast<std::size_t>(v0)];
-  const float* const directions[3] = {&parts.directions[0][at], &parts.directions[1][at], &parts.directions[2][at]};
   const ShadeKernels& kernels = shade_kernels();
-  kernels.aim(t, rows, directions, parts.stride);
-  const bool any = trace_tile(t, parts);
+  aim_tile(t, parts, place);
+  static_cast<TileHits&>(t) = parts.hits[static_cast<std::size_t>(tile)];
   kernels.surface(t, {&parts.materials, parts.triangles.data(), parts.pixel_angle, parts.render.facets});
   const RenderConfig& r = parts.render;
-  if (any) {
-    add_own_lamps(t, parts, rows, least_lux);
+  if (t.any) {
+    add_own_lamps(t, parts, rows, u0, v0, least_lux);
     kernels.virtual_lights(t, parts.bounces.data(), static_cast<int>(parts.bounces.size()),
                            r.indirect_clamp_m * r.indirect_clamp_m, parts.rig.dust.extinction_1_m);
     add_foreign_lamps(t, parts, least_lux);
@@ -155,7 +210,7 @@ void light_tile(Renderer::Parts& parts, int tile_u, int tile_v, float least_lux)
                            u0,
                            v0};
   float* const planes[3] = {&parts.planes[0][at], &parts.planes[1][at], &parts.planes[2][at]};
-  kernels.compose(t, terms, planes, &parts.range[at], parts.stride);
+  kernels.compose(t, terms, planes, parts.stride);
 }
 
 }  // namespace
@@ -174,8 +229,11 @@ void light_pass(Renderer::Parts& parts, const CameraMotion& motion, float readou
                   count, parts.rig.dust.extinction_1_m, 0);
   }
   const float least_lux = parts.render.cull_fraction * motion.white_luminance * 3.14159265f;
-  const int across = parts.stride / kTileWidth;
-  parts.each(across * (parts.rows / kTileHeight), [&](int i) { light_tile(parts, i % across, i / across, least_lux); });
+  const int tiles = parts.stride / kTileWidth * (parts.rows / kTileHeight);
+  parts.hits.resize(static_cast<std::size_t>(tiles));
+  parts.each(tiles, [&](int i) { see_tile(parts, i); });
+  if (parts.render.shadows) watch_own_lamps(parts);
+  parts.each(tiles, [&](int i) { light_tile(parts, i, least_lux); });
 }
 
 }  // namespace adit::sim

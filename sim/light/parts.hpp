@@ -28,6 +28,7 @@ struct OwnLamp {
   Eigen::Vector3f place, axis;
   LampLobe lobe;
   float intensity_cd;
+  ParallaxTable parallax;  ///< no lines: the lamp does not stand beside the lens
 };
 
 /// Where the camera is in the middle of the exposure and how it moves, in its own frame.
@@ -67,6 +68,8 @@ struct Renderer::Parts {
   std::vector<float> planes[3], blurred[3], range, mosaic;
   std::vector<VirtualLight> bounces;
   std::vector<RowPose> row_poses;
+  std::vector<TileHits> hits;                          ///< of each tile
+  std::vector<std::vector<std::uint8_t>> dark_blocks;  ///< of each own lamp: 1 where a block may have shadow
 
   /// body(i) for i in [0, count): on all threads of the arena, in any order.
   template <class Body>
@@ -91,6 +94,8 @@ std::vector<VirtualLight> bounces_of_foreign(const World& world, const RayScene&
                                              const std::vector<ForeignLamp>& lamps, float extinction_1_m);
 std::unique_ptr<BackscatterTable> backscatter_of(const std::vector<OwnLamp>& lamps, const DustConfig& dust,
                                                  const Camera& camera, int stride, int rows);
+/// @param lamp in the optical frame.
+ParallaxTable parallax_of(const Eigen::Vector3f& lamp, const Renderer::Parts& parts);
 SensorTables sensor_tables_of(const Renderer::Parts& parts);
 
 /// Where light of one lamp lands first: `count` points of a Fibonacci lattice over the lobe.
@@ -99,13 +104,14 @@ void add_bounces(std::vector<VirtualLight>& lights, const World& world, const Ra
                  const Eigen::Isometry3f& pose, const LampLobe& lobe, float intensity_cd, int count,
                  float extinction_1_m, int colour);
 
-/// Closest hits of all lanes of a tile that is aimed. @return whether anything was hit.
-bool trace_tile(Tile& tile, const Renderer::Parts& parts);
+/// Closest hits of all lanes of a tile that is aimed.
+/// @param middle of its rows.
+void trace_tile(Tile& tile, const RowPose& middle, const Renderer::Parts& parts);
 
 /// Takes the shares of the lamp that was asked last over where nothing stands between; blocks of pixels whose shares
-/// all lie below least_lux are dropped.
-void add_unshadowed(Tile& tile, const Renderer::Parts& parts, const LampTerms& lamp, float least_lux, float* into,
-                    float* specular_into);
+/// all lie below least_lux are dropped. No ray is cast in blocks that are not in `doubtful`, a bit each.
+void add_unshadowed(Tile& tile, const Renderer::Parts& parts, const LampTerms& lamp, float least_lux,
+                    std::uint32_t doubtful, float* into, float* specular_into);
 
 // The passes, in order.
 void light_pass(Renderer::Parts& parts, const CameraMotion& motion, float readout_s);

@@ -31,13 +31,13 @@ bool is_even(const float* range) {
 
 }  // namespace
 
-bool trace_tile(Tile& t, const Renderer::Parts& parts) {
+void trace_tile(Tile& t, const RowPose& middle, const Renderer::Parts& parts) {
   static_assert(kNoRange_m == kRangeOfNothing_m);
-  const bool any = shade_kernels().see(t, parts.tree.nodes.data(), parts.tree.leaves.data(), parts.triangles.data());
+  t.any = shade_kernels().see(t, middle.rotation, parts.tree.nodes.data(), parts.tree.leaves.data(),
+                              parts.triangles.data());
   t.even_blocks = 0;
   for (int b = 0; b < kBlocks; ++b)
     t.even_blocks |= (is_even(&t.range[kBlockLanes[static_cast<std::size_t>(b)]]) ? 1u : 0u) << b;
-  return any;
 }
 
 }  // namespace adit::sim

@@ -37,8 +37,11 @@ std::vector<OwnLamp> own_lamps_of(const RigConfig& rig) {
   for (const Lamp& lamp : rig.lamps.lamps) {
     const float yaw = lamp.yaw_deg * kDegree, pitch = lamp.pitch_deg * kDegree;
     const Vector3f axis(std::cos(pitch) * std::cos(yaw), std::cos(pitch) * std::sin(yaw), std::sin(pitch));
-    lamps.push_back({to_optical * Vector3f(lamp.forward_m, lamp.left_m, lamp.up_m), to_optical.linear() * axis,
-                     LampLobe(lamp), intensity_on_axis_cd(lamp)});
+    lamps.push_back({to_optical * Vector3f(lamp.forward_m, lamp.left_m, lamp.up_m),
+                     to_optical.linear() * axis,
+                     LampLobe(lamp),
+                     intensity_on_axis_cd(lamp),
+                     {}});
   }
   return lamps;
 }
@@ -129,6 +132,7 @@ Renderer::Renderer(const World& world, const RigConfig& rig, const RenderConfig&
   p.triangles = triangle_table_of(world);
   p.tree = mesh_tree_of(world.mesh);
   p.own_lamps = own_lamps_of(rig);
+  for (OwnLamp& lamp : p.own_lamps) lamp.parallax = parallax_of(lamp.place, p);
   p.foreign_lamps = foreign_lamps_of(world, *p.scene);
   if (render.virtual_lights > 0)
     p.foreign_bounces = bounces_of_foreign(world, *p.scene, p.foreign_lamps, rig.dust.extinction_1_m);

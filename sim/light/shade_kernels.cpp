@@ -1,11 +1,7 @@
 // The shading loops. CMake compiles this file once per CPU target, with ADIT_SHADE_TARGET naming it.
-#if defined(__AVX2__)
-#include <immintrin.h>
-#endif
-
 #include "facet_noise.hpp"
+#include "lane_vectors.hpp"
 #include "lanes.hpp"
-#include "mesh_tree.hpp"
 #include "sensor_rows.hpp"
 #include "tile.hpp"
 
@@ -299,13 +295,12 @@ ADIT_LANE float backscatter_at(const float* table, float range, float x, float y
   return top + fy * (bottom - top);
 }
 
-void compose(Tile& t, const ComposeTerms& terms, float* const planes[3], float* range, int stride) {
+void compose(Tile& t, const ComposeTerms& terms, float* const planes[3], int stride) {
   const ComposeTerms c = terms;
   for (int v = 0; v < kTileHeight; ++v) {
     float* const red = planes[0] + v * stride;
     float* const green = planes[1] + v * stride;
     float* const blue = planes[2] + v * stride;
-    float* const out = range + v * stride;
     ADIT_LANES
     for (int u = 0; u < kTileWidth; ++u) {
       const int i = v * kTileWidth + u;
@@ -322,7 +317,6 @@ void compose(Tile& t, const ComposeTerms& terms, float* const planes[3], float* 
       red[u] = r * through + sky_seen * c.sky_red;
       green[u] = g * through + sky_seen;
       blue[u] = b * through + sky_seen * c.sky_blue;
-      out[u] = t.range[i];
     }
   }
   if (c.backscatter == nullptr) return;
@@ -340,6 +334,7 @@ void compose(Tile& t, const ComposeTerms& terms, float* const planes[3], float* 
   }
 }
 
+#include "parallax.inl"
 #include "sensor_rows.inl"
 #include "sight.inl"
 
@@ -355,6 +350,7 @@ const ShadeKernels ADIT_JOIN(kShade_, ADIT_SHADE_TARGET) = {ADIT_TEXT(ADIT_SHADE
                                                             soft_light,
                                                             mean_of_shifts,
                                                             compose,
+                                                            parallax,
                                                             mosaic_row,
                                                             tone_row};
 

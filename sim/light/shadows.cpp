@@ -82,12 +82,13 @@ void set_block(float* lit, int block, std::uint32_t bits) {
 
 }  // namespace
 
-void add_unshadowed(Tile& t, const Renderer::Parts& parts, const LampTerms& lamp, float least_lux, float* into,
-                    float* specular_into) {
+void add_unshadowed(Tile& t, const Renderer::Parts& parts, const LampTerms& lamp, float least_lux,
+                    std::uint32_t doubtful, float* into, float* specular_into) {
   const std::uint32_t wanted = blocks_with(t, least_lux);
   if (wanted == 0) return;
   constexpr std::uint32_t kAll = 0xffffu;
-  const std::uint32_t dark = parts.render.shadows ? dark_points(t, *parts.scene, lamp, wanted) : 0;
+  if (!parts.render.shadows) doubtful = 0;
+  const std::uint32_t dark = (wanted & doubtful) != 0 ? dark_points(t, *parts.scene, lamp, wanted & doubtful) : 0;
   alignas(64) Tile::Lane lit;
   RayPacket rays;
   for (int b = 0; b < kBlocks; ++b) {
@@ -95,7 +96,9 @@ void add_unshadowed(Tile& t, const Renderer::Parts& parts, const LampTerms& lamp
     if (wanted >> b & 1u) {
       const std::uint32_t at = dark >> first_point_of(b);
       const std::uint32_t corners = (at & 3u) | (at >> kPointsAcross & 3u) << 2;
-      if (!parts.render.shadows || (t.even_blocks >> b & 1u && (corners == 0 || corners == 0xfu))) {
+      if (!(doubtful >> b & 1u)) {
+        bits = kAll;
+      } else if (t.even_blocks >> b & 1u && (corners == 0 || corners == 0xfu)) {
         bits = corners == 0 ? kAll : 0;
       } else {
         for (int k = 0; k < kPacket; ++k)

@@ -1,33 +1,6 @@
 // What a tile of pixels sees: the tree is walked once for all its rays, near boxes first, and triangles are drawn with
 // edge functions. Included by shade_kernels.cpp.
 
-/// Sixteen lanes that are certain to be vector instructions, on each target in as many pieces as it takes.
-using Floats = float __attribute__((vector_size(4 * kTreeWidth), may_alias));
-using Ints = std::int32_t __attribute__((vector_size(4 * kTreeWidth), may_alias));
-
-ADIT_LANE const Floats& floats_at(const float* p) { return *reinterpret_cast<const Floats*>(p); }
-ADIT_LANE Floats& floats_at(float* p) { return *reinterpret_cast<Floats*>(p); }
-ADIT_LANE Ints& ints_at(std::int32_t* p) { return *reinterpret_cast<Ints*>(p); }
-ADIT_LANE Floats all_of(float x) { return x - Floats{}; }
-ADIT_LANE Floats lesser(const Floats& a, const Floats& b) { return a < b ? a : b; }
-ADIT_LANE Floats greater(const Floats& a, const Floats& b) { return a > b ? a : b; }
-ADIT_LANE Ints truncated(const Floats& x) { return __builtin_convertvector(x, Ints); }
-
-/// One bit a lane of flags that are 0 or -1.
-ADIT_LANE std::uint32_t bits_of(const Ints& flags) {
-#if defined(__AVX512DQ__)
-  return _mm512_movepi32_mask(reinterpret_cast<const __m512i&>(flags));
-#elif defined(__AVX2__)
-  const auto* const halves = reinterpret_cast<const __m256*>(&flags);
-  return static_cast<std::uint32_t>(_mm256_movemask_ps(halves[0])) |
-         static_cast<std::uint32_t>(_mm256_movemask_ps(halves[1])) << 8;
-#else
-  std::uint32_t bits = 0;
-  for (int j = 0; j < kTreeWidth; ++j) bits |= (static_cast<std::uint32_t>(flags[j]) >> 31) << j;
-  return bits;
-#endif
-}
-
 struct Way {
   float x, y, z;
 };
@@ -41,8 +14,7 @@ struct alignas(64) Sight {
   float farthest[kBlocks];  ///< least of `nearest` in each block
   std::uint32_t drawn;      ///< blocks whose `farthest` waits to be brought up to date, a bit each
   Way origin;
-  // The tile's own frame: right, down and forward. All zero where its rays do not make a grid: then nothing is
-  // culled.
+  // The optical frame of the tile's middle row. All zero where the rays do not make a grid: then nothing is culled.
   Way right, down, forward;
   Way side[4];  ///< planes through the origin, the pyramid inside: p * n >= 0
   // In this frame a ray runs through (x, y, 1), and that of pixel (u, v) lies within (x_low, x_high) of x_first +
@@ -58,9 +30,6 @@ constexpr float kBeside_m = 0.01f;  ///< nearer to the lens's plane slopes are n
 
 ADIT_LANE Way scaled(const Way& a, float by) { return {a.x * by, a.y * by, a.z * by}; }
 ADIT_LANE Way sum(const Way& a, const Way& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-ADIT_LANE Way cross(const Way& a, const Way& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
 
 /// Where a tile's rays run in its own frame: extremes over each column of pixels.
 struct alignas(64) Slopes {
@@ -135,7 +104,9 @@ void fit_grid(Sight& s, Slopes& g) {
   s.side[3] = sum(scaled(s.down, -1.0f), scaled(s.forward, y_most + kSlopeSlack));
 }
 
-void aim_sight(const Tile& t, Sight& s) {
+/// @param axes rotation from the optical frame to the world, row major: in this frame the rays of a lens that does not
+/// bend lines make an even grid.
+void aim_sight(const Tile& t, const float* axes, Sight& s) {
   for (int b = 0; b < kBlocks; ++b)
     for (int k = 0; k < kPacketLanes; ++k) {
       const int i = kBlockLanes[static_cast<std::size_t>(b)] + k / kBlock * kTileWidth + k % kBlock;
@@ -149,15 +120,10 @@ void aim_sight(const Tile& t, Sight& s) {
   for (int b = 0; b < kBlocks; ++b) s.farthest[b] = 0.0f;
   s.drawn = 0;
   constexpr int kMiddle = kTileHeight / 2 * kTileWidth;
-  const auto way = [&t](int i) { return Way{t.dx[i], t.dy[i], t.dz[i]}; };
-  const Way left = way(kMiddle), top = way(kTileWidth / 2);
   s.origin = {t.ox[kMiddle], t.oy[kMiddle], t.oz[kMiddle]};
-  s.forward = way(kMiddle + kTileWidth / 2);
-  Way across = sum(way(kMiddle + 1), scaled(left, -1.0f));
-  across = sum(across, scaled(s.forward, -dot(across, s.forward)));
-  s.right = scaled(across, 1.0f / std::sqrt(dot(across, across) + 1e-30f));
-  s.down = cross(s.forward, s.right);
-  if (dot(s.down, top) > 0.0f) s.down = scaled(s.down, -1.0f);
+  s.right = {axes[0], axes[3], axes[6]};
+  s.down = {axes[1], axes[4], axes[7]};
+  s.forward = {axes[2], axes[5], axes[8]};
   for (Way& n : s.side) n = {0.0f, 0.0f, 0.0f};
   static thread_local Slopes slopes;
   if (slopes_of(t, s, slopes))
@@ -381,9 +347,9 @@ void settle(Tile& t, const TriangleRow* rows) {
 }
 
 /// Closest hits of all lanes. @return whether anything was hit.
-bool see(Tile& t, const TreeNode* nodes, const TreeLeaf* leaves, const TriangleRow* rows) {
+bool see(Tile& t, const float* axes, const TreeNode* nodes, const TreeLeaf* leaves, const TriangleRow* rows) {
   static thread_local Sight s;
-  aim_sight(t, s);
+  aim_sight(t, axes, s);
   draw_tree(s, nodes, leaves);
   std::int32_t any = 0;
   for (int b = 0; b < kBlocks; ++b)

@@ -33,15 +33,19 @@ struct RowPose {
   float lamp_axis[kLampsMax][3];
 };
 
-struct alignas(64) Tile {
+/// What the rays of a tile met. triangle < 0: nothing.
+struct alignas(64) TileHits {
   using Lane = float[kTileLanes];
-  // View: unit direction in the world, origin of the ray.
-  Lane dx, dy, dz, ox, oy, oz;
-  // What was hit. triangle < 0: nothing.
   Lane range, bu, bv;
   std::int32_t triangle[kTileLanes];
-  std::int32_t material[kTileLanes];
   std::uint32_t even_blocks;  ///< blocks through which the surface goes on without an edge, a bit each
+  bool any;
+};
+
+struct Tile : TileHits {
+  // View: unit direction in the world, origin of the ray.
+  Lane dx, dy, dz, ox, oy, oz;
+  std::int32_t material[kTileLanes];
   Lane gx, gy, gz;
   // Surface: place, normal with facets, geometric normal turned to the eye (gx, gy, gz), reflectance.
   Lane px, py, pz, nx, ny, nz;
@@ -121,11 +125,22 @@ struct ComposeTerms {
   int u0, v0;
 };
 
+/// The frame as a lamp beside the lens sees it, laid out so that what could stand in the light of a place lies after it
+/// in the same line. See lamp_parallax.cpp.
+struct ParallaxTable {
+  int steps = 0;                    ///< along a line, the last nearest to the lamp's side
+  int lines = 0;                    ///< a whole number of kTreeWidth
+  std::vector<std::int32_t> pixel;  ///< [step][line]: which pixel's range counts there; -1: none
+  std::vector<float> shift_m;       ///< [step][line]: steps of parallax times range
+  std::vector<float> edge;          ///< [line]: steps less the parallax of what may stand just beyond the image
+};
+
 /// The loops, compiled once per kind of CPU. Every kind gives the same bits.
 struct ShadeKernels {
   const char* target;
   void (*aim)(Tile&, const RowPose* rows, const float* const directions[3], int stride);
-  bool (*see)(Tile&, const struct TreeNode*, const struct TreeLeaf*, const TriangleRow*);
+  /// @param axes RowPose::rotation of the tile's middle row.
+  bool (*see)(Tile&, const float* axes, const struct TreeNode*, const struct TreeLeaf*, const TriangleRow*);
   void (*surface)(Tile&, const SurfaceTerms&);
   void (*lamp)(Tile&, const LampTerms&);
   /// Adds to Tile::soft.
@@ -134,7 +149,10 @@ struct ShadeKernels {
   void (*soft_light)(Tile&, bool own, bool foreign, bool sky);
   /// Blur of kBlurRun_px pixels: share times the sum over rows, each the start of a run.
   void (*mean_of_shifts)(const float* const* rows, int taps, float share, float* out);
-  void (*compose)(Tile&, const ComposeTerms&, float* const planes[3], float* range, int stride);
+  void (*compose)(Tile&, const ComposeTerms&, float* const planes[3], int stride);
+  /// Marks blocks of the frame in which light may be blocked: kTreeWidth lines from first_line on.
+  void (*parallax)(const ParallaxTable&, int first_line, const float* range, int stride, int rows,
+                   std::uint8_t* blocks);
   /// Sensor: one row of the mosaic. See sensor_rows.hpp.
   void (*mosaic_row)(const struct MosaicRow&);
   void (*tone_row)(const struct ToneRow&);

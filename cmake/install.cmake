@@ -42,6 +42,10 @@ endif()
 if(TARGET adit_sim)
   adit_install_component(sim ${PROJECT_SOURCE_DIR}/sim/include *.hpp)
 endif()
+if(TARGET adit_robot)
+  # Its header lies among the node's.
+  adit_install_component(robot ${PROJECT_SOURCE_DIR}/node/include *.hpp)
+endif()
 if(TARGET adit_program)
   install(TARGETS adit_program RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
   # Man pages and completion come from the program's own command line, so it has to run here.

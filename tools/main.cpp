@@ -5,8 +5,10 @@
 #include <iostream>
 #include <opencv2/core/utility.hpp>
 #include <opencv2/core/utils/logger.hpp>
+#include <sstream>
 
 #include "adit/io/errors.hpp"
+#include "adit/io/output_file.hpp"
 #include "exit_code.hpp"
 #include "help_format.hpp"
 #include "manual_pages.hpp"
@@ -21,6 +23,18 @@ using adit::tools::ExitCode;
 ExitCode refuse(ExitCode code, const std::exception& reason) {
   adit::tools::print_line(std::string("adit: ") + reason.what());
   return code;
+}
+
+/// Help and version: also these may end on a full disk.
+ExitCode tell(const std::string& text) {
+  try {
+    adit::io::OutputFile out("-");
+    out.write(text);
+    out.commit();
+    return adit::tools::kSuccess;
+  } catch (const adit::io::OutputError& e) {
+    return refuse(adit::tools::kOutputNotWritten, e);
+  }
 }
 
 /// What goes wrong is said by us, once, with the file's name; the libraries beneath stay silent.
@@ -79,8 +93,9 @@ ExitCode run(int argc, char** argv) {
     app.parse(argc, argv);
     return exit_code;
   } catch (const CLI::Success& e) {  // --help, --version
-    app.exit(e, std::cout);
-    return adit::tools::kSuccess;
+    std::ostringstream text;
+    app.exit(e, text);
+    return tell(text.str());
   } catch (const CLI::ParseError& e) {
     std::ostringstream text;
     app.exit(e, text, text);

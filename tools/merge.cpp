@@ -34,7 +34,7 @@ void join_tables(const fs::path& whole, const std::vector<Part>& parts) {
   file.commit();
 }
 
-ExitCode join(const Options& options, const fs::path& whole, const std::vector<Part>& parts) {
+ExitCode join([[maybe_unused]] const Options& options, const fs::path& whole, const std::vector<Part>& parts) {
   const std::string& command = parts.front().label.command;
   if (command == "run") {
     join_tables(whole, parts);

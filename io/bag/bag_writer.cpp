@@ -16,6 +16,7 @@
 #include "adit/io/bag_file.hpp"
 #include "adit/io/errors.hpp"
 #include "adit/io/output_file.hpp"
+#include "adit/node/message_fields.hpp"
 
 namespace adit::io {
 namespace {
@@ -25,22 +26,6 @@ constexpr const char* kBody = "base_link";
 constexpr int kJpegQuality = 90;
 
 ros::Time time_of(double stamp_s) { return ros::Time(1.0 + stamp_s); }
-
-template <class Message>
-void fill(Message& m, const std::array<double, 3>& v) {
-  m.x = v[0];
-  m.y = v[1];
-  m.z = v[2];
-}
-
-geometry_msgs::Quaternion quaternion_of(const std::array<double, 4>& q) {
-  geometry_msgs::Quaternion m;
-  m.x = q[0];
-  m.y = q[1];
-  m.z = q[2];
-  m.w = q[3];
-  return m;
-}
 
 template <class Message>
 Message stamped(double stamp_s, const char* frame_id) {
@@ -102,42 +87,31 @@ void BagWriter::write_image(double stamp_s, const cv::Mat& pixels) {
 
 void BagWriter::write_camera(double stamp_s, const CameraModel& camera) {
   auto m = stamped<sensor_msgs::CameraInfo>(stamp_s, kOpticalFrame);
-  m.width = static_cast<std::uint32_t>(camera.width);
-  m.height = static_cast<std::uint32_t>(camera.height);
-  const bool is_ideal = camera.distortion_model == DistortionModel::kNone;
-  m.distortion_model = is_ideal ? "plumb_bob" : std::string(to_string(camera.distortion_model));
-  m.D.assign(5, 0.0);
-  if (!is_ideal)
-    m.D.assign(camera.distortion.begin(), camera.distortion.begin() + coefficient_count(camera.distortion_model));
-  const double fx = camera.focal_length_x_px, fy = camera.focal_length_y_px;
-  const double ox = camera.principal_point_x_px, oy = camera.principal_point_y_px;
-  m.K = {fx, 0, ox, 0, fy, oy, 0, 0, 1};
-  m.R = {1, 0, 0, 0, 1, 0, 0, 0, 1};
-  m.P = {fx, 0, ox, 0, 0, fy, oy, 0, 0, 0, 1, 0};
+  node::fill_camera_info(m, camera);
   file_->write(file_->topics.camera_info, stamp_s, m);
 }
 
 void BagWriter::write_motion(double stamp_s, const node::RobotMotion& motion) {
   auto odometry = stamped<nav_msgs::Odometry>(stamp_s, "odom");
   odometry.child_frame_id = kBody;
-  fill(odometry.pose.pose.position, motion.in_world.place_m);
-  odometry.pose.pose.orientation = quaternion_of(motion.in_world.rotation);
-  fill(odometry.twist.twist.linear, motion.velocity_m_s);
-  fill(odometry.twist.twist.angular, motion.angular_rate_rad_s);
+  node::fill_vector(odometry.pose.pose.position, motion.in_world.place_m);
+  node::fill_quaternion(odometry.pose.pose.orientation, motion.in_world.rotation);
+  node::fill_vector(odometry.twist.twist.linear, motion.velocity_m_s);
+  node::fill_vector(odometry.twist.twist.angular, motion.angular_rate_rad_s);
   file_->write(file_->topics.odom, stamp_s, odometry);
   tf2_msgs::TFMessage transforms;
   transforms.transforms.push_back(stamped<geometry_msgs::TransformStamped>(stamp_s, "odom"));
   transforms.transforms[0].child_frame_id = kBody;
-  fill(transforms.transforms[0].transform.translation, motion.in_world.place_m);
-  transforms.transforms[0].transform.rotation = quaternion_of(motion.in_world.rotation);
+  node::fill_vector(transforms.transforms[0].transform.translation, motion.in_world.place_m);
+  node::fill_quaternion(transforms.transforms[0].transform.rotation, motion.in_world.rotation);
   file_->write(file_->topics.tf, stamp_s, transforms);
 }
 
 void BagWriter::write_imu(const node::ImuReading& reading) {
   auto m = stamped<sensor_msgs::Imu>(reading.stamp_s, kBody);
   m.orientation_covariance[0] = -1.0;  // not given
-  fill(m.angular_velocity, reading.angular_rate_rad_s);
-  fill(m.linear_acceleration, reading.specific_force_m_s2);
+  node::fill_vector(m.angular_velocity, reading.angular_rate_rad_s);
+  node::fill_vector(m.linear_acceleration, reading.specific_force_m_s2);
   file_->write(file_->topics.imu, reading.stamp_s, m);
 }
 

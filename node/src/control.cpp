@@ -94,7 +94,7 @@ Diagnosis Control::diagnosis(Time_ns now_ns) {
   d.add("commands", std::to_string(passed_on_));
   d.add("hovers", std::to_string(hover_count_));
   d.add("headings refused", std::to_string(refused_headings_));
-  add_latency(d, latency_);
+  add_latency(d, "latency", latency_);
   add_stamps(d, image_stamps_);
   d.add("images of the past", std::to_string(watchdog_.old_images()));
   d.add("images of the future", std::to_string(watchdog_.future_images()));

@@ -129,6 +129,7 @@ void Perception::take(const CameraInfoMessage& message) {
 
 void Perception::take_yaw_rate(double yaw_rate_rad_s, Time_ns stamp_ns) noexcept {
   if (!std::isfinite(yaw_rate_rad_s)) return;
+  ++yaw_rates_;
   yaw_rate_rad_s_ = yaw_rate_rad_s;
   yaw_rate_ns_ = stamp_ns;
 }
@@ -165,12 +166,14 @@ ImageAnswer Perception::take(const ImageMessage& message, Time_ns now_ns) {
   }
   if (verdict == StampVerdict::kRestarted) parts_->chain->reset();
   watch_size(reading.view);
+  if (verdict != StampVerdict::kMissing) arrival_.add(now_ns - message.stamp_ns);
   Sighting sighting;
   sighting.stamp_ns = verdict == StampVerdict::kMissing ? now_ns : message.stamp_ns;
   Motion motion;
   motion.speed_m_s = commanded_m_s_;
   if (yaw_rate_rad_s_ && std::abs(seconds_of(sighting.stamp_ns - yaw_rate_ns_)) < kYawRateFresh_s)
     motion.yaw_rate_rad_s = yaw_rate_rad_s_;
+  images_with_yaw_rate_ += motion.yaw_rate_rad_s.has_value();
   parts_->chain->see(reading.view, stamp_s(sighting.stamp_ns), motion, sighting);
   commanded_m_s_ = sighting.forward_m_s;
   last_status_ = sighting.open_space.status;

@@ -60,8 +60,11 @@ Diagnosis Perception::diagnosis(Time_ns now_ns) const {
   d.add("encodings unknown", std::to_string(unknown_encodings_));
   d.add("sizes changed", std::to_string(size_changes_));
   d.add("images not of the camera's size", std::to_string(wrong_sizes_));
+  d.add("yaw rates", std::to_string(yaw_rates_));
+  d.add("images with a yaw rate", std::to_string(images_with_yaw_rate_));
   add_stamps(d, stamps_);
-  add_latency(d, latency_);
+  add_latency(d, "arrival", arrival_);
+  add_latency(d, "latency", latency_);
   return d;
 }
 

@@ -10,15 +10,15 @@ std::string text_of(double value, int digits) {
   return end.ec == std::errc() ? std::string(text, end.ptr) : "-";
 }
 
-void add_latency(Diagnosis& diagnosis, const LatencyMeter& latency) {
+void add_latency(Diagnosis& diagnosis, const std::string& name, const LatencyMeter& latency) {
   const LatencyFigures f = latency.figures();
   const auto add = [&](const char* key, double value_s) {
-    diagnosis.add(key, f.count > 0 ? text_of(1e3 * value_s, 3) : "-");
+    diagnosis.add(name + key, f.count > 0 ? text_of(1e3 * value_s, 3) : "-");
   };
-  add("latency p50 (ms)", f.p50_s);
-  add("latency p90 (ms)", f.p90_s);
-  add("latency p99 (ms)", f.p99_s);
-  add("latency max (ms)", f.max_s);
+  add(" p50 (ms)", f.p50_s);
+  add(" p90 (ms)", f.p90_s);
+  add(" p99 (ms)", f.p99_s);
+  add(" max (ms)", f.max_s);
 }
 
 void add_stamps(Diagnosis& diagnosis, const StampCheck& stamps) {

@@ -11,7 +11,8 @@ namespace adit::node {
 
 /// With so many digits after the point.
 [[nodiscard]] std::string text_of(double value, int digits);
-void add_latency(Diagnosis& diagnosis, const LatencyMeter& latency);
+/// As "NAME p50 (ms)" and so on.
+void add_latency(Diagnosis& diagnosis, const std::string& name, const LatencyMeter& latency);
 void add_stamps(Diagnosis& diagnosis, const StampCheck& stamps);
 
 }  // namespace adit::node

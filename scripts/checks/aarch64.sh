@@ -1,8 +1,50 @@
 #!/usr/bin/env bash
-# The core cross-compiled for 64-bit ARM; its tests run under qemu.
+# The core and the program cross-compiled for 64-bit ARM; tests and `adit run` under qemu, against the answers given here.
 . "$(dirname "${BASH_SOURCE[0]}")/prelude.sh"
 export ADIT_TEST_GRID=small
 build_preset aarch64
 file=$(find build/aarch64 -name libadit_core.a)
 aarch64-linux-gnu-objdump -f "$file" | grep -m 1 -q 'elf64-littleaarch64'
 run_ctest build/aarch64
+
+# The program: with Debian's libraries for that machine, where the archive that apt knows has them.
+if ! quietly aarch64-sysroot scripts/aarch64_sysroot build/aarch64-sysroot; then
+  echo "adit run on aarch64: skipped: the libraries cannot be had here"
+  tally 0 0 1
+  exit 0
+fi
+tail -n 1 build/aarch64-sysroot.log
+sysroot=$PWD/build/aarch64-sysroot/root
+begin=$SECONDS
+quietly aarch64-program-configure cmake --preset aarch64 -B build/aarch64-program -DADIT_CORE_ONLY=OFF -DADIT_SIM=OFF \
+  -DADIT_BENCH=OFF -DADIT_WERROR=ON -DADIT_TESTS=OFF "-DADIT_AARCH64_SYSROOT=$sysroot"
+quietly aarch64-program-build cmake --build build/aarch64-program --parallel "$jobs" --target adit_program
+echo "built build/aarch64-program in $((SECONDS - begin)) s"
+build_preset release -DADIT_SIM=ON
+
+there() {
+  qemu-aarch64 -L "$sysroot" -E LD_LIBRARY_PATH=/usr/lib/aarch64-linux-gnu/blas:/usr/lib/aarch64-linux-gnu/lapack \
+    build/aarch64-program/adit "$@"
+}
+there --version
+frames=(data/tunnel.jpg data/clip.avi)
+real=${ADIT_DATA:-../shared/data}/real/caves
+if [ -d "$real" ]; then mapfile -t -O 2 frames < <(find "$real" -name '*.jpg' | sort | head -n 3); fi
+status=0
+for frame in "${frames[@]}"; do
+  for method in paper adit; do
+    begin=$SECONDS
+    there run "$frame" --method "$method" --csv build/aarch64-there.csv --quiet
+    build/release/adit run "$frame" --method "$method" --csv build/aarch64-here.csv --quiet
+    if cmp build/aarch64-here.csv build/aarch64-there.csv; then
+      echo "adit run ${frame##*/} --method $method: $(($(wc -l < build/aarch64-there.csv) - 1)) rows, the same bytes as here," \
+        "in $((SECONDS - begin)) s"
+      tally 1 0 0
+    else
+      diff build/aarch64-here.csv build/aarch64-there.csv | head -n 6 || true
+      tally 0 1 0
+      status=1
+    fi
+  done
+done
+exit $status

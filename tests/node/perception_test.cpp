@@ -83,6 +83,39 @@ TEST(PerceptionTest, RightInTheImageIsANegativeYawRate) {
   }
 }
 
+/// Heading after frames that show the same way ahead while a gyroscope tells of a turn, each time so long before the
+/// image.
+double steered_with_gyroscope(double yaw_rate_rad_s, Time_ns before_ns, std::string& used) {
+  Perception perception(settings_of(Method::kAdit));
+  double yaw_rate = 0.0;
+  for (int i = 0; i < 20; ++i) {
+    const test::Frame frame = tunnel(100.0, i);
+    const Time_ns stamp_ns = kBegin_ns + i * kFrame_ns;
+    perception.take_yaw_rate(yaw_rate_rad_s, stamp_ns - before_ns);
+    yaw_rate = perception.take(message_of(frame, stamp_ns), stamp_ns).sighting->heading.yaw_rate_rad_s;
+  }
+  used = value_of(perception.diagnosis(kBegin_ns + kSecond_ns), "images with a yaw rate");
+  return yaw_rate;
+}
+
+TEST(PerceptionTest, AYawRateIsUsedWhereItIsOfTheImage) {
+  std::string used;
+  const double at_rest = steered_with_gyroscope(0.0, 0, used);
+  EXPECT_NE(steered_with_gyroscope(1.0, 0, used), at_rest) << "what was seen before has moved to the right";
+  EXPECT_EQ(used, "20");
+  Perception without(settings_of(Method::kAdit));
+  const double unaided = play(without, 100.0, 20).sighting->heading.yaw_rate_rad_s;
+  EXPECT_EQ(steered_with_gyroscope(1.0, kSecond_ns, used), unaided) << "of another motion: as if there were none";
+  EXPECT_EQ(used, "0");
+}
+
+TEST(PerceptionTest, TellsHowLongTheImagesTakeToCome) {
+  Perception perception(settings_of(Method::kPaper));
+  EXPECT_EQ(value_of(perception.diagnosis(kBegin_ns), "arrival p50 (ms)"), "-");
+  (void)play(perception, 100.0, 3);
+  EXPECT_EQ(value_of(perception.diagnosis(kBegin_ns), "arrival p50 (ms)"), "1.000");
+}
+
 TEST(PerceptionTest, TheAnswerIsThatOfTheFinder) {
   Perception perception(settings_of(Method::kPaper));
   OpenSpaceFinder finder(settings_of(Method::kPaper).navigator.finder);

@@ -149,7 +149,8 @@ TEST(RunFaults, AFullDiskUnderStandardOutputIsTold) {
   const ScratchFolder folder;
   const std::string image = make_passage(folder / "a.png");
   for (const std::string& arguments :
-       {std::string("config"), std::string("run '") + image + "'", std::string("explain '") + image + "' -o -",
+       {std::string("--help"), std::string("--version"), std::string("run --help"), std::string("config"),
+        std::string("run '") + image + "'", std::string("explain '") + image + "' -o -",
         std::string("bench --seconds 0.05 --size 32x32")}) {
     const int status = std::system(("'" ADIT_PROGRAM "' " + arguments + " >/dev/full 2>/dev/null").c_str());
     EXPECT_EQ(WEXITSTATUS(status), 6) << arguments;

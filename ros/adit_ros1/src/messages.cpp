@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "adit/node/direction.hpp"
+#include "adit/node/message_fields.hpp"
 
 namespace adit_ros1 {
 
@@ -44,18 +45,7 @@ adit::node::CameraInfoMessage camera_info_of(const sensor_msgs::CameraInfo& info
 
 sensor_msgs::CameraInfo camera_info_of(const adit::CameraModel& model) {
   sensor_msgs::CameraInfo info;
-  info.width = static_cast<std::uint32_t>(model.width);
-  info.height = static_cast<std::uint32_t>(model.height);
-  const bool is_ideal = model.distortion_model == adit::DistortionModel::kNone;
-  info.distortion_model = is_ideal ? "plumb_bob" : std::string(to_string(model.distortion_model));
-  const auto count = is_ideal ? 5 : coefficient_count(model.distortion_model);
-  info.D.assign(model.distortion.begin(), model.distortion.begin() + count);
-  if (is_ideal) std::fill(info.D.begin(), info.D.end(), 0.0);
-  const double fx = model.focal_length_x_px, fy = model.focal_length_y_px;
-  const double ox = model.principal_point_x_px, oy = model.principal_point_y_px;
-  info.K = {fx, 0, ox, 0, fy, oy, 0, 0, 1};
-  info.R = {1, 0, 0, 0, 1, 0, 0, 0, 1};
-  info.P = {fx, 0, ox, 0, 0, fy, oy, 0, 0, 0, 1, 0};
+  adit::node::fill_camera_info(info, model);
   return info;
 }
 

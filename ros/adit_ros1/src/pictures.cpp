@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <boost/make_shared.hpp>
 #include <cmath>
-#include <cstring>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
@@ -39,9 +38,12 @@ sensor_msgs::ImagePtr image_of(const cv::Mat& pixels) {
                 : pixels.type() == CV_8UC4  ? "bgra8"
                                             : "bgr8";
   m->step = static_cast<std::uint32_t>(static_cast<std::size_t>(pixels.cols) * pixels.elemSize());
-  m->data.resize(std::size_t{m->step} * m->height);
-  for (int v = 0; v < pixels.rows; ++v)
-    std::memcpy(m->data.data() + std::size_t{m->step} * static_cast<std::size_t>(v), pixels.ptr(v), m->step);
+  m->data.reserve(std::size_t{m->step} * m->height);  // written once: not zeroed first
+  if (pixels.isContinuous()) {
+    m->data.assign(pixels.datastart, pixels.dataend);
+  } else {
+    for (int v = 0; v < pixels.rows; ++v) m->data.insert(m->data.end(), pixels.ptr(v), pixels.ptr(v) + m->step);
+  }
   return m;
 }
 

@@ -2,27 +2,12 @@
 
 #include <cstring>
 
+#include "adit/node/message_fields.hpp"
+
 namespace adit_ros1 {
-namespace {
 
-template <class Message>
-void fill(Message& m, const std::array<double, 3>& v) {
-  m.x = v[0];
-  m.y = v[1];
-  m.z = v[2];
-}
-
-geometry_msgs::Quaternion quaternion_of(const std::array<double, 4>& q) {
-  geometry_msgs::Quaternion m;
-  m.x = q[0];
-  m.y = q[1];
-  m.z = q[2];
-  m.w = q[3];
-  return m;
-}
-
-}  // namespace
-
+using adit::node::fill_quaternion;
+using adit::node::fill_vector;
 ros::Time time_of_s(double time_s) {
   // ROS takes 0 for "no time yet": the simulation begins at 1 s.
   return ros::Time(1.0 + time_s);
@@ -42,17 +27,7 @@ sensor_msgs::Image image_of(const adit::ImageView& view) {
 
 sensor_msgs::CameraInfo camera_info_of(const adit::CameraModel& model) {
   sensor_msgs::CameraInfo info;
-  info.width = static_cast<std::uint32_t>(model.width);
-  info.height = static_cast<std::uint32_t>(model.height);
-  info.distortion_model = "plumb_bob";
-  info.D.assign(5, 0.0);
-  if (model.distortion_model == adit::DistortionModel::kPlumbBob)
-    info.D.assign(model.distortion.begin(), model.distortion.begin() + 5);
-  const double fx = model.focal_length_x_px, fy = model.focal_length_y_px;
-  const double ox = model.principal_point_x_px, oy = model.principal_point_y_px;
-  info.K = {fx, 0, ox, 0, fy, oy, 0, 0, 1};
-  info.R = {1, 0, 0, 0, 1, 0, 0, 0, 1};
-  info.P = {fx, 0, ox, 0, 0, fy, oy, 0, 0, 0, 1, 0};
+  adit::node::fill_camera_info(info, model);
   return info;
 }
 
@@ -60,10 +35,10 @@ nav_msgs::Odometry odometry_of(const adit::node::RobotMotion& motion) {
   nav_msgs::Odometry m;
   m.header.frame_id = "odom";
   m.child_frame_id = "base_link";
-  fill(m.pose.pose.position, motion.in_world.place_m);
-  m.pose.pose.orientation = quaternion_of(motion.in_world.rotation);
-  fill(m.twist.twist.linear, motion.velocity_m_s);
-  fill(m.twist.twist.angular, motion.angular_rate_rad_s);
+  fill_vector(m.pose.pose.position, motion.in_world.place_m);
+  fill_quaternion(m.pose.pose.orientation, motion.in_world.rotation);
+  fill_vector(m.twist.twist.linear, motion.velocity_m_s);
+  fill_vector(m.twist.twist.angular, motion.angular_rate_rad_s);
   return m;
 }
 
@@ -76,8 +51,8 @@ geometry_msgs::TransformStamped transform_of(const adit::node::RobotMotion& moti
 
 geometry_msgs::TransformStamped transform_of(const adit::node::Placement& placement) {
   geometry_msgs::TransformStamped m;
-  fill(m.transform.translation, placement.place_m);
-  m.transform.rotation = quaternion_of(placement.rotation);
+  fill_vector(m.transform.translation, placement.place_m);
+  fill_quaternion(m.transform.rotation, placement.rotation);
   return m;
 }
 
@@ -86,8 +61,8 @@ sensor_msgs::Imu imu_of(const adit::node::ImuReading& reading) {
   m.header.stamp = time_of_s(reading.stamp_s);
   m.header.frame_id = "base_link";
   m.orientation_covariance[0] = -1.0;  // not given
-  fill(m.angular_velocity, reading.angular_rate_rad_s);
-  fill(m.linear_acceleration, reading.specific_force_m_s2);
+  fill_vector(m.angular_velocity, reading.angular_rate_rad_s);
+  fill_vector(m.linear_acceleration, reading.specific_force_m_s2);
   return m;
 }
 

@@ -93,11 +93,13 @@ class Perception {
   std::int64_t camera_infos_ = 0;
 
   StampCheck stamps_;
+  LatencyMeter arrival_;  ///< of the images: what camera, driver and transport take
   LatencyMeter latency_;
   std::optional<Time_ns> origin_ns_;  ///< seconds are counted from here: the first stamp
   std::optional<Time_ns> last_image_ns_;
   std::optional<double> yaw_rate_rad_s_;
   Time_ns yaw_rate_ns_ = 0;
+  std::int64_t yaw_rates_ = 0, images_with_yaw_rate_ = 0;
   int width_ = 0, height_ = 0;
   double commanded_m_s_ = 0.0;
   Status last_status_ = Status::kBadFrame;

@@ -37,7 +37,7 @@ struct FlyOptions {
 /// Every constant of a flight, of what it flies with and of what it flies in.
 struct FlySettings {
   sim::FlightSettings flight;
-  sim::RigConfig rig;
+  sim::RigConfig rig = sim::rig_preset("flood_460lux");
   sim::RenderConfig render;
   sim::CourseConfig course;  ///< meaningless with a world file
 };

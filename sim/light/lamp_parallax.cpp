@@ -56,6 +56,13 @@ bool extents_of(const Renderer::Parts& parts, const Turned& turned, float focal_
   return true;
 }
 
+/// As in ParallaxTable::block.
+std::int32_t blocks_about(const Renderer::Parts& parts, int u, int v) {
+  const int u0 = std::max(u - 1, 0) / kBlock, u1 = std::min(u + 1, parts.stride - 1) / kBlock;
+  const int v0 = std::max(v - 1, 0) / kBlock, v1 = std::min(v + 1, parts.rows - 1) / kBlock;
+  return 4 * (v0 * (parts.stride / kBlock) + u0) + (u1 - u0) + 2 * (v1 - v0);
+}
+
 }  // namespace
 
 ParallaxTable parallax_of(const Vector3f& lamp, const Renderer::Parts& parts) {
@@ -73,6 +80,7 @@ ParallaxTable parallax_of(const Vector3f& lamp, const Renderer::Parts& parts) {
   table.lines = (across.count() + kTreeWidth - 1) / kTreeWidth * kTreeWidth;
   table.pixel.assign(static_cast<std::size_t>(table.steps) * table.lines, -1);
   table.shift_m.assign(table.pixel.size(), 0.0f);
+  table.block.assign(table.pixel.size(), 0);
   table.edge.assign(static_cast<std::size_t>(table.lines), 1e9f);
   for (int step = table.steps - 1; step >= 0; --step)
     for (int line = 0; line < table.lines; ++line) {
@@ -81,11 +89,12 @@ ParallaxTable parallax_of(const Vector3f& lamp, const Renderer::Parts& parts) {
       if (ray.z() < 0.05f * focal_px) continue;
       const Pixel pixel = parts.camera->pixel_of(
           NormalisedPoint{static_cast<double>(ray.x()) / ray.z(), static_cast<double>(ray.y()) / ray.z()});
-      const long u = std::lround(pixel.u_px), v = std::lround(pixel.v_px);
+      const int u = static_cast<int>(std::lround(pixel.u_px)), v = static_cast<int>(std::lround(pixel.v_px));
       if (u < 0 || v < 0 || u >= parts.width || v >= parts.height) continue;
       const std::size_t at = static_cast<std::size_t>(step) * table.lines + line;
-      table.pixel[at] = static_cast<std::int32_t>(v * parts.stride + u);
-      table.shift_m[at] = focal_px * baseline_m / turned.z.dot(ray_of(parts, static_cast<int>(u), static_cast<int>(v)));
+      table.pixel[at] = v * parts.stride + u;
+      table.block[at] = blocks_about(parts, u, v);
+      table.shift_m[at] = focal_px * baseline_m / turned.z.dot(ray_of(parts, u, v));
       float& edge = table.edge[static_cast<std::size_t>(line)];
       if (edge == 1e9f) edge = focal_px * baseline_m / kNearestBeyondEdge_m - static_cast<float>(step + 1);
     }

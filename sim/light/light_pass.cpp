@@ -169,7 +169,7 @@ void watch_own_lamps(Renderer::Parts& parts) {
     const ParallaxTable& table = parts.own_lamps[l].parallax;
     parts.dark_blocks[l].assign(blocks, table.lines == 0 ? 1 : 0);
     parts.each(table.lines / kTreeWidth, [&](int i) {
-      shade_kernels().parallax(table, i * kTreeWidth, parts.range.data(), parts.stride, parts.rows,
+      shade_kernels().parallax(table, i * kTreeWidth, parts.range.data(), parts.stride / kBlock,
                                parts.dark_blocks[l].data());
     });
   }

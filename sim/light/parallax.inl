@@ -1,18 +1,16 @@
 // Which blocks of pixels a lamp beside the lens may leave dark. Included by shade_kernels.cpp.
 
-/// The blocks that pixel i and its neighbours lie in.
-void mark_blocks(std::int32_t i, int stride, int rows, std::uint8_t* blocks) {
-  const int u = i % stride, v = i / stride, across = stride / kBlock;
-  const int u0 = (u > 0 ? u - 1 : 0) / kBlock, u1 = (u + 1 < stride ? u + 1 : u) / kBlock;
-  const int v0 = (v > 0 ? v - 1 : 0) / kBlock, v1 = (v + 1 < rows ? v + 1 : v) / kBlock;
-  for (const int at : {v0 * across + u0, v0 * across + u1, v1 * across + u0, v1 * across + u1})
-    __atomic_store_n(blocks + at, std::uint8_t{1}, __ATOMIC_RELAXED);  // lines of several threads cross a block
+/// The block of a pixel and those its neighbours lie in. @param block see ParallaxTable.
+ADIT_LANE void mark_blocks(std::int32_t block, int across, std::uint8_t* blocks) {
+  std::uint8_t* const at = blocks + (block >> 2);
+  const int aside = block & 1, down = block & 2 ? across : 0;
+  // Lines of several threads cross a block.
+  for (const int step : {0, aside, down, aside + down}) __atomic_store_n(at + step, std::uint8_t{1}, __ATOMIC_RELAXED);
 }
 
 /// The horizon of each line, from the lamp's side on: a place is dark where something before it in the line is shifted
 /// so much more by the lamp's parallax that it comes to lie over it.
-void parallax(const ParallaxTable& table, int first_line, const float* range, int stride, int rows,
-              std::uint8_t* blocks) {
+void parallax(const ParallaxTable& table, int first_line, const float* range, int across, std::uint8_t* blocks) {
   constexpr float kLeast = 0.75f;  // px; shadows narrower than that are not seen
   Floats horizon = lanes_from<Floats>(table.edge.data() + first_line);
   for (int step = table.steps - 1; step >= 0; --step) {
@@ -25,6 +23,7 @@ void parallax(const ParallaxTable& table, int first_line, const float* range, in
     const Floats here = lanes_from<Floats>(table.shift_m.data() + at) / floats_at(met) - static_cast<float>(step);
     std::uint32_t dark = bits_of(valid & (here + kLeast < horizon));
     horizon = valid ? greater(horizon, here) : horizon;
-    for (; dark != 0; dark &= dark - 1) mark_blocks(pixel[__builtin_ctz(dark)], stride, rows, blocks);
+    for (; dark != 0; dark &= dark - 1)
+      mark_blocks(table.block[at + static_cast<std::size_t>(__builtin_ctz(dark))], across, blocks);
   }
 }

@@ -132,6 +132,8 @@ struct ParallaxTable {
   int lines = 0;                    ///< a whole number of kTreeWidth
   std::vector<std::int32_t> pixel;  ///< [step][line]: which pixel's range counts there; -1: none
   std::vector<float> shift_m;       ///< [step][line]: steps of parallax times range
+  std::vector<std::int32_t> block;  ///< [step][line]: 4 * the first block the pixel or a neighbour lies in, + 1 and + 2
+                                    ///< where they reach into the next one to the right and below
   std::vector<float> edge;          ///< [line]: steps less the parallax of what may stand just beyond the image
 };
 
@@ -150,9 +152,8 @@ struct ShadeKernels {
   /// Blur of kBlurRun_px pixels: share times the sum over rows, each the start of a run.
   void (*mean_of_shifts)(const float* const* rows, int taps, float share, float* out);
   void (*compose)(Tile&, const ComposeTerms&, float* const planes[3], int stride);
-  /// Marks blocks of the frame in which light may be blocked: kTreeWidth lines from first_line on.
-  void (*parallax)(const ParallaxTable&, int first_line, const float* range, int stride, int rows,
-                   std::uint8_t* blocks);
+  /// Marks blocks of the frame, `across` in a row, in which light may be blocked: kTreeWidth lines from first_line on.
+  void (*parallax)(const ParallaxTable&, int first_line, const float* range, int across, std::uint8_t* blocks);
   /// Sensor: one row of the mosaic. See sensor_rows.hpp.
   void (*mosaic_row)(const struct MosaicRow&);
   void (*tone_row)(const struct ToneRow&);

@@ -35,7 +35,7 @@ struct RenderConfig {
 
 /// All that sits on the vehicle, and the air around it.
 struct RigConfig {
-  std::string name = "flood_460lux";
+  std::string name = "one_lamp";
   LampRig lamps;
   LensConfig lens;
   SensorConfig sensor;

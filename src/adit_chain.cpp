@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "opening_extent.hpp"
+#include "way_odds.hpp"
 
 namespace adit {
 namespace {
@@ -22,12 +23,22 @@ std::int16_t weight_of(double elevation_rad, const FinderConfig& config) {
   return static_cast<std::int16_t>(std::lround(256.0 * (config.horizon_floor + (1.0 - config.horizon_floor) * bell)));
 }
 
-/// The share of strong openings that are the right ones: some frames show two, or a recess that is as deep.
+/// The share of openings, sure not to be a wall, that are the right ones: some frames show two, or a recess that is
+/// as deep.
 constexpr double kConfidenceMax = 0.96;
+/// In rendered dust of 0.04 to 0.25 1/m, within 10 deg of the deepest direction.
+constexpr double kConfidenceInDust = 0.85;
+/// Rock that exceeds the veil by less than this in nine tenths of the frame is not seen: it is what the tone curve's
+/// rounding to whole levels makes of a smooth lobe.
+constexpr double kNoRock = 0.025;
+/// What noise alone, amplified, puts the brightest tenth of a black frame above its median; rock at the edge of sight
+/// puts it a third of a stop above.
+constexpr double kNoiseAlone_stops = 0.3;
+/// From this share of the light on the veil is taken off before the search. Less of it hides no rim, and what it adds
+/// to the dark places is less than the walls' shading.
+constexpr double kVeilOffMin = 0.6;
 
-double confidence_of(double strength, double most, const FinderConfig& config) noexcept {
-  return most / (1.0 + std::pow(config.strength_even / strength, 1.0 / config.strength_spread));
-}
+double confidence_of(double odds, double most) noexcept { return most / (1.0 + std::exp(-odds)); }
 
 /// What the answer repeats of its best opening.
 void note_best(Rule rule, OpenSpace& out) noexcept {
@@ -93,7 +104,8 @@ void AditChain::find(const FinderConfig& config, const Camera& camera, OpenSpace
   note_levels(out);
   const VeilSight veil = veil_fit_.judge(cleaned_);
   note_flags(config, veil, out);
-  if (out.flags.dust) {
+  const bool veil_off = out.veil_fraction >= kVeilOffMin;
+  if (veil_off) {
     veil_fit_.take_off(cleaned_, lobe_on_cells_, light_);
   } else {
     look_up(cleaned_, table_, light_);
@@ -103,12 +115,15 @@ void AditChain::find(const FinderConfig& config, const Camera& camera, OpenSpace
   out.status = judge_levels(config, out);
   light_usable_ = !out.flags.dust && out.status == Status::kFound;
   if (out.status != Status::kFound) return;
-  if (out.flags.dust) {
-    look_through_dust(config, camera, veil, out);
-  } else {
-    weigh_by_relief(veil, out.flags.glare);
-    note_openings(config, kConfidenceMax, camera, out);
+  if (out.flags.too_dark && veil.above_stops < kNoiseAlone_stops) {
+    out.status = Status::kTooDark;
+    return;
   }
+  if (out.flags.dust && veil.rock_high < kNoRock) {
+    out.status = veil.lobe_in_frame ? Status::kDust : Status::kBlockedLens;
+    return;
+  }
+  note_openings(config, camera, veil, veil_off, out);
 }
 
 void AditChain::clean() noexcept {
@@ -132,22 +147,6 @@ Status AditChain::judge_levels(const FinderConfig& config, const OpenSpace& out)
   return Status::kFound;
 }
 
-/// A wall ahead is smooth: one broad lobe accounts for most of its light. In a passage the rock falls off from near to
-/// far, and much of the frame stands high over the lobe through its darkest parts. Every step of kSmoothStep in the
-/// lobe's share asks for an opening twice as strong; kSmoothWall is where a passage and a wall are equally likely
-/// (rendered passages 0.12 to 0.5, walls from 1 to 6 m 0.43 to 0.68).
-constexpr double kSmoothWall = 0.45, kSmoothStep = 0.15;
-constexpr double kReliefMin = 0.5, kReliefMax = 1.4;
-
-void AditChain::weigh_by_relief(const VeilSight& veil, bool glare) noexcept {
-  double relief = std::clamp(std::exp2((kSmoothWall - veil.fraction) / kSmoothStep), kReliefMin, kReliefMax);
-  if (glare) relief = std::max(relief, 1.0);  // a lamp in the passage lights it, and it is less deep than it would be
-  for (int i = 0; i < candidates_.count; ++i) candidates_.list[static_cast<std::size_t>(i)].strength *= relief;
-}
-
-/// Rock that exceeds the veil by less than this in nine tenths of the frame is not seen: it is what the tone curve's
-/// rounding to whole levels makes of a smooth lobe.
-constexpr double kNoRock = 0.025;
 /// A dark place shows at least the veil before it, so it bounds how much veil there can be; noise and the lobe's misfit
 /// may take a quarter off.
 constexpr double kUndercutNoise = 1.3;
@@ -181,48 +180,20 @@ void AditChain::note_flags(const FinderConfig& config, const VeilSight& veil, Op
   out.flags.too_bright = saturated > kTooBrightShare * static_cast<double>(level_.values.size());
 }
 
-/// Twice what clear air asks for: what is left of the rock when the veil is off is as noisy as the veil.
-constexpr double kStrengthInDust = 0.4;
-/// The share of strong openings in rendered dust of 0.04 to 0.25 1/m that were within 10 deg of the deepest direction.
-constexpr double kConfidenceInDust = 0.65;
-
-void AditChain::look_through_dust(const FinderConfig& config, const Camera& camera, const VeilSight& veil,
-                                  OpenSpace& out) noexcept {
-  out.status = Status::kNoOpening;
-  note_way_through_dust(camera, veil, out);
-  if (!out.found()) return;  // rock stands where the air should be alone
-  if (candidates_.count == 0 || candidates_.list[0].strength < kStrengthInDust) return;
-  out.opening_count = 0;
-  note_openings(config, kConfidenceInDust, camera, out);
-}
-
-/// In dust that hides the rim of the way on. Not where rock is seen in the middle: that is a wall.
-void AditChain::note_way_through_dust(const Camera& camera, const VeilSight& veil, OpenSpace& out) const noexcept {
-  // Rock that adds a quarter to the veil where the air should be alone, or air alone in less than three directions of
-  // ten: something stands in the way.
-  constexpr double kRockMax = 0.25, kOpenShareMin = 0.25;
-  // In rendered dust of 0.04 to 0.25 1/m one coarse heading in two was within 10 deg (docs/method.md).
-  constexpr double kVeilConfidence = 0.5;
-  if (veil.rock_high < kNoRock) {
-    out.status = veil.lobe_in_frame ? Status::kDust : Status::kBlockedLens;
-    return;
-  }
-  if (veil.rock_at_place > kRockMax || veil.open_share < kOpenShareMin) return;
-  Opening& to = out.openings[0];
-  to.centroid_px = {grid_.u_px(veil.u), grid_.v_px(veil.v)};
+/// In dust rims are soft, and where rock is near they are steepest: the middle of the air that is seen says more.
+void AditChain::note_way_through_dust(const Camera& camera, const VeilSight& veil, Opening& to) noexcept {
+  const AirPlace air = veil_fit_.air_place(veil);
+  to.centroid_px = {grid_.u_px(air.u), grid_.v_px(air.v)};
   to.point = camera.normalised_of(to.centroid_px);
   to.bearing = camera.bearing_of(to.centroid_px);
-  to.top_left_px = {grid_.u_px(veil.u - veil.half_width), grid_.v_px(veil.v - veil.half_height)};
-  to.bottom_right_px = {grid_.u_px(veil.u + veil.half_width), grid_.v_px(veil.v + veil.half_height)};
+  to.top_left_px = {grid_.u_px(air.u - air.half_width), grid_.v_px(air.v - air.half_height)};
+  to.bottom_right_px = {grid_.u_px(air.u + air.half_width), grid_.v_px(air.v + air.half_height)};
   to.area_fraction = (to.bottom_right_px.u_px - to.top_left_px.u_px + 1.0) *
                      (to.bottom_right_px.v_px - to.top_left_px.v_px + 1.0) /
                      (static_cast<double>(frame_width_px_) * frame_height_px_);
   to.score = 0.05;
-  to.confidence = kVeilConfidence * (1.0 - 0.5 * veil.rock_at_place / kRockMax);
   to.contrast = veil.rock_high / (1.0 + veil.rock_high);
   note_extent(camera, to);
-  out.opening_count = 1;
-  note_best(Rule::kVeil, out);
 }
 
 void AditChain::weigh_by_elevation() noexcept {
@@ -252,31 +223,41 @@ void AditChain::note_levels(OpenSpace& out) noexcept {
   out.atmospheric_light = static_cast<double>(most) / kLevelParts;
 }
 
-void AditChain::note_openings(const FinderConfig& config, double confidence_max, const Camera& camera,
+void AditChain::note_openings(const FinderConfig& config, const Camera& camera, const VeilSight& veil, bool veil_off,
                               OpenSpace& out) noexcept {
-  const double cells = static_cast<double>(grid_.width()) * grid_.height();
+  const int cells = static_cast<int>(level_.values.size());
   for (int i = 0; i < candidates_.count; ++i) {
     const Candidate& from = candidates_.list[static_cast<std::size_t>(i)];
-    if (from.strength < config.opening_strength_min) break;
+    const double odds = way_odds(from, cells, veil, veil_off);
+    if (odds < config.way_odds_min) continue;
     Opening& to = out.openings[static_cast<std::size_t>(out.opening_count++)];
-    to.centroid_px = {grid_.u_px(from.u), grid_.v_px(from.v)};
-    to.point = camera.normalised_of(to.centroid_px);
-    to.bearing = camera.bearing_of(to.centroid_px);
-    to.area_fraction = from.cells / cells;
-    to.score = std::min(1.0, from.strength / 4.0);
-    to.confidence = confidence_of(from.strength, confidence_max, config);
-    to.contrast = 1.0 - std::exp2(-static_cast<double>(from.peak) / kStop);
-    to.top_left_px = {static_cast<double>(grid_.first_u(from.left)), static_cast<double>(grid_.first_v(from.top))};
-    to.bottom_right_px = {grid_.first_u(from.right + 1) - 1.0, grid_.first_v(from.bottom + 1) - 1.0};
-    to.touches_border =
-        from.left == 0 || from.top == 0 || from.right + 1 == grid_.width() || from.bottom + 1 == grid_.height();
-    note_extent(camera, to);
+    to.confidence = confidence_of(odds, out.flags.dust ? kConfidenceInDust : kConfidenceMax);
+    if (out.flags.dust) {
+      note_way_through_dust(camera, veil, to);
+      note_best(Rule::kVeil, out);
+      return;
+    }
+    note_opening(from, camera, to);
   }
   if (out.opening_count == 0) {
     out.status = Status::kNoOpening;
     return;
   }
   note_best(out.openings[0].touches_border ? Rule::kOpenSided : Rule::kEnclosed, out);
+}
+
+void AditChain::note_opening(const Candidate& from, const Camera& camera, Opening& to) const noexcept {
+  to.centroid_px = {grid_.u_px(from.u), grid_.v_px(from.v)};
+  to.point = camera.normalised_of(to.centroid_px);
+  to.bearing = camera.bearing_of(to.centroid_px);
+  to.area_fraction = static_cast<double>(from.cells) / (static_cast<double>(grid_.width()) * grid_.height());
+  to.score = std::min(1.0, from.strength / 4.0);
+  to.contrast = 1.0 - std::exp2(-static_cast<double>(from.peak) / kStop);
+  to.top_left_px = {static_cast<double>(grid_.first_u(from.left)), static_cast<double>(grid_.first_v(from.top))};
+  to.bottom_right_px = {grid_.first_u(from.right + 1) - 1.0, grid_.first_v(from.bottom + 1) - 1.0};
+  to.touches_border =
+      from.left == 0 || from.top == 0 || from.right + 1 == grid_.width() || from.bottom + 1 == grid_.height();
+  note_extent(camera, to);
 }
 
 void AditChain::draw(StageImages& images) const {

@@ -33,13 +33,12 @@ class AditChain {
   void search() noexcept;
   [[nodiscard]] Status judge_levels(const FinderConfig& config, const OpenSpace& out) const noexcept;
   void weigh_by_elevation() noexcept;
-  void weigh_by_relief(const VeilSight& veil, bool glare) noexcept;
-  void look_through_dust(const FinderConfig& config, const Camera& camera, const VeilSight& veil,
-                         OpenSpace& out) noexcept;
   void note_levels(OpenSpace& out) noexcept;
   void note_flags(const FinderConfig& config, const VeilSight& veil, OpenSpace& out) const noexcept;
-  void note_way_through_dust(const Camera& camera, const VeilSight& veil, OpenSpace& out) const noexcept;
-  void note_openings(const FinderConfig& config, double confidence_max, const Camera& camera, OpenSpace& out) noexcept;
+  void note_openings(const FinderConfig& config, const Camera& camera, const VeilSight& veil, bool veil_off,
+                     OpenSpace& out) noexcept;
+  void note_opening(const Candidate& from, const Camera& camera, Opening& to) const noexcept;
+  void note_way_through_dust(const Camera& camera, const VeilSight& veil, Opening& to) noexcept;
 
   int frame_width_px_;
   int frame_height_px_;

@@ -25,4 +25,5 @@ target_sources(adit_core PRIVATE
   scattering_depth.cpp
   stage_images.cpp
   tracker.cpp
-  veil.cpp)
+  veil.cpp
+  way_odds.cpp)

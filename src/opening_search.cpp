@@ -100,15 +100,21 @@ class Flood {
 };
 
 void start(const CellPlane& map, SearchScratch& scratch) noexcept {
-  const std::ptrdiff_t stride = map.width + 2;
+  const int width = map.width;  // a byte written may be part of anything: only what stands apart becomes vector code
+  const std::ptrdiff_t stride = width + 2;
   std::fill(scratch.owner.begin(), scratch.owner.end(), kSlope);
   for (int v = 0; v < map.height; ++v) {
-    const std::int16_t* const from = map.row(v);
-    std::uint8_t* const owner = scratch.owner.data() + (v + 1) * stride + 1;
+    const std::int16_t* __restrict const from = map.row(v);
+    std::uint8_t* __restrict const owner = scratch.owner.data() + (v + 1) * stride + 1;
+    std::int16_t* __restrict const value = scratch.value.data() + (v + 1) * stride + 1;
+    std::int16_t peak = 0;
+    for (int u = 0; u < width; ++u) {
+      value[u] = from[u];
+      peak = from[u] > peak ? from[u] : peak;
+    }
     // Half of any peak is above: no place holds such a cell, and no way down from one has to go on through it.
-    for (int u = 0; u < map.width; ++u) owner[u] = from[u] < kPeakMin / 2 ? kSlope : std::uint8_t{0};
-    std::copy_n(from, map.width, scratch.value.data() + (v + 1) * stride + 1);
-    scratch.row_peak[static_cast<std::size_t>(v)] = *std::max_element(map.row(v), map.row(v) + map.width);
+    for (int u = 0; u < width; ++u) owner[u] = from[u] < kPeakMin / 2 ? kSlope : std::uint8_t{0};
+    scratch.row_peak[static_cast<std::size_t>(v)] = peak;
   }
 }
 

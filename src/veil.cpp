@@ -19,9 +19,22 @@ constexpr double kRockSeen = 0.08;
 /// next: a bend of 10 m radius, 3.5 m ahead.
 constexpr double kAxisSpread_rad = 20.0 * std::numbers::pi / 180.0;
 
+/// A way on through dust may lie anywhere in a common lens' field: a hint, for frames that show nothing.
+constexpr double kWaySpread_rad = 40.0 * std::numbers::pi / 180.0;
+/// Blocks to either side that rock is averaged over, 7 degrees of a common lens: chips and stains are smaller, and no
+/// passage that a vehicle fits into is, as far as dust lets see.
+constexpr int kSmoothReach = 3;
+/// Rock that counts as none: a twentieth of what the frame shows of it, and what is lost in the fit of the lobe.
+constexpr double kAirShare = 0.05, kAirFloor = 0.003;
+/// Blocks; one standard deviation of the surroundings from which the middle is taken the second time: 17 degrees.
+constexpr double kHeapReach = 8.0;
+
 /// The share of the blocks that may be darker than they should be: pipes and props near the lens stand before most of
 /// the veil.
 constexpr double kDarkest = 0.01;
+
+/// Shares of the frame below which its dark end and from which on its bright end lies.
+constexpr double kDark = 0.02, kBright = 0.9;
 
 /// Of the mean over a cell, grey levels: 2 in a pixel, over the eight pixels that are read of a cell.
 constexpr double kCellNoise_levels = 0.7;
@@ -31,6 +44,49 @@ constexpr double kLobeMisfit = 0.015;
 /// reach.
 constexpr int kShareParts = 1024;
 constexpr int kShareMax = 8 * kShareParts;
+
+/// Mean over a square, at the border over what of it is in the frame as if the border went on.
+void mean_of_box(const std::vector<double>& from, std::vector<double>& between, std::vector<double>& to, int width,
+                 int height, int reach) noexcept {
+  const double share = 1.0 / (2 * reach + 1);
+  const auto run = [&](const std::vector<double>& source, std::vector<double>& sink, int length, int step, int base) {
+    for (int i = 0; i < length; ++i) {
+      double sum = 0.0;
+      for (int k = i - reach; k <= i + reach; ++k) {
+        sum += source[static_cast<std::size_t>(base + std::clamp(k, 0, length - 1) * step)];
+      }
+      sink[static_cast<std::size_t>(base + i * step)] = sum * share;
+    }
+  };
+  for (int v = 0; v < height; ++v) run(from, between, width, 1, v * width);
+  for (int u = 0; u < width; ++u) run(between, to, height, width, u);
+}
+
+struct Middle {
+  double u = 0.0, v = 0.0, u_variance = 0.0, v_variance = 0.0;  ///< blocks
+};
+
+/// Of weights, all of them or those about another middle.
+Middle middle_of(const std::vector<double>& weights, int width, const Middle* about) noexcept {
+  double all = 0.0, u1 = 0.0, v1 = 0.0, u2 = 0.0, v2 = 0.0;
+  for (std::size_t at = 0; at < weights.size(); ++at) {
+    const int u = static_cast<int>(at) % width, v = static_cast<int>(at) / width;
+    double w = weights[at];
+    if (about != nullptr) {
+      const double du = (u - about->u) / kHeapReach, dv = (v - about->v) / kHeapReach;
+      w *= std::exp(-0.5 * (du * du + dv * dv));
+    }
+    all += w;
+    u1 += w * u;
+    v1 += w * v;
+    u2 += w * u * u;
+    v2 += w * v * v;
+  }
+  if (!(all > 0.0)) return about != nullptr ? *about : Middle{};
+  u1 /= all;
+  v1 /= all;
+  return {u1, v1, std::max(0.0, u2 / all - u1 * u1), std::max(0.0, v2 / all - v1 * v1)};
+}
 
 }  // namespace
 
@@ -54,6 +110,8 @@ VeilFit::VeilFit(const CellGrid& grid, const Camera& camera, const FinderConfig&
       const Bearing at = camera.bearing_of(middle);
       const double a = at.azimuth_rad / kAxisSpread_rad, e = at.elevation_rad / spread_rad;
       weight_.push_back(std::exp(-0.5 * (a * a + e * e)));
+      const double aside = at.azimuth_rad / kWaySpread_rad;
+      prior_.push_back(std::exp(-0.5 * (aside * aside + e * e)));
     }
   }
   for (int part = 0; part <= kShareMax; ++part) {
@@ -64,9 +122,18 @@ VeilFit::VeilFit(const CellGrid& grid, const Camera& camera, const FinderConfig&
   fit_log_.resize(fit_terms_.size());
   rock_.resize(terms_.size());
   order_.resize(terms_.size());
+  smooth_.resize(terms_.size());
 }
 
-void VeilFit::gather(const CellPlane& levels) noexcept {
+double VeilFit::log_light_below(double share) const noexcept {
+  const int most = static_cast<int>(share * static_cast<double>(log_.size()));
+  std::size_t part = 0;
+  for (int below = counts_[0]; below <= most && part + 1 < counts_.size(); below += counts_[part]) ++part;
+  return log_light_[part];
+}
+
+void VeilFit::gather(const CellPlane& levels, VeilSight& out) noexcept {
+  counts_.fill(0);
   std::size_t fitted = 0;
   for (int v = 0; v < height_; ++v) {
     for (int u = 0; u < width_; ++u) {
@@ -75,50 +142,47 @@ void VeilFit::gather(const CellPlane& levels) noexcept {
         const std::int16_t* row = levels.row(v * block_ + dv) + u * block_;
         for (int du = 0; du < block_; ++du) sum += row[du];
       }
-      const double log_light = log_light_[static_cast<std::size_t>(sum / (block_ * block_))];
+      const auto part = static_cast<std::size_t>(sum / (block_ * block_));
+      ++counts_[part];
+      const double log_light = log_light_[part];
       log_[static_cast<std::size_t>(v * width_ + u)] = log_light;
       if (u % 2 == 0 && v % 2 == 0) fit_log_[fitted++] = log_light;
     }
   }
+  const double median = log_light_below(0.5);
+  out.below_stops = (median - log_light_below(kDark)) / std::numbers::ln2;
+  out.above_stops = (log_light_below(kBright) - median) / std::numbers::ln2;
 }
 
-void VeilFit::place(VeilSight& out) noexcept {
-  double air = 0.0, all = 0.0, u1 = 0.0, v1 = 0.0, u2 = 0.0, v2 = 0.0;
-  for (int v = 0; v < height_; ++v) {
-    for (int u = 0; u < width_; ++u) {
-      const auto at = static_cast<std::size_t>(v * width_ + u);
-      const double w = weight_[at] * std::exp(-rock_[at] / kRockSeen);
-      all += weight_[at];
-      air += w;
-      u1 += w * u;
-      v1 += w * v;
-      u2 += w * u * u;
-      v2 += w * v * v;
-    }
+double VeilFit::open_share() const noexcept {
+  double air = 0.0, all = 0.0;
+  for (std::size_t at = 0; at < rock_.size(); ++at) {
+    all += weight_[at];
+    air += weight_[at] * std::exp(-rock_[at] / kRockSeen);
   }
-  if (!(air > 0.0)) return;
-  u1 /= air;
-  v1 /= air;
-  out.open_share = air / all;
-  out.half_width = block_ * std::sqrt(3.0 * std::max(0.0, u2 / air - u1 * u1));
-  out.half_height = block_ * std::sqrt(3.0 * std::max(0.0, v2 / air - v1 * v1));
-  double sum = 0.0;
-  int count = 0;
-  for (int v = 0; v < height_; ++v) {
-    for (int u = 0; u < width_; ++u) {
-      if ((u - u1) * (u - u1) + (v - v1) * (v - v1) > 2.5 * 2.5) continue;
-      sum += rock_[static_cast<std::size_t>(v * width_ + u)];
-      ++count;
-    }
-  }
-  out.rock_at_place = count > 0 ? sum / count : 0.0;
-  out.u = (u1 + 0.5) * block_ - 0.5;
-  out.v = (v1 + 0.5) * block_ - 0.5;
+  return air / all;
+}
+
+AirPlace VeilFit::air_place(const VeilSight& veil) noexcept {
+  // Twice a box: the texture of rock and the noise of the veil go, and a place counts as air when its surroundings do.
+  mean_of_box(rock_, order_, smooth_, width_, height_, kSmoothReach);
+  mean_of_box(smooth_, order_, smooth_, width_, height_, kSmoothReach);
+  const double seen = kAirShare * veil.rock_high + kAirFloor;
+  for (std::size_t at = 0; at < smooth_.size(); ++at) order_[at] = prior_[at] * std::exp(-smooth_[at] / seen);
+  const Middle all = middle_of(order_, width_, nullptr);
+  const Middle near =
+      middle_of(order_, width_, &all);  // once towards the nearest heap, so that of two ways one is meant
+  AirPlace out;
+  out.u = (near.u + 0.5) * block_ - 0.5;
+  out.v = (near.v + 0.5) * block_ - 0.5;
+  out.half_width = block_ * std::sqrt(3.0 * near.u_variance);
+  out.half_height = block_ * std::sqrt(3.0 * near.v_variance);
+  return out;
 }
 
 VeilSight VeilFit::judge(const CellPlane& levels) noexcept {
   VeilSight out;
-  gather(levels);
+  gather(levels, out);
   const LobeTerms c = lobe_ = fit_lobe(fit_terms_, fit_log_, kBelow);
   std::size_t brightest = 0;
   double most = -1e9;
@@ -144,7 +208,7 @@ VeilSight VeilFit::judge(const CellPlane& levels) noexcept {
   out.rock_high = *high;
   const int u = static_cast<int>(brightest) % width_, v = static_cast<int>(brightest) / width_;
   out.lobe_in_frame = u > 0 && v > 0 && u + 1 < width_ && v + 1 < height_;
-  place(out);
+  out.open_share = open_share();
   return out;
 }
 

@@ -107,23 +107,14 @@ void visit_fields(Config& c, Visitor&& visit) {
       FieldNote{"horizon_floor", "", 0, 1, "Weight of a place far from the horizon; 1: all places alike. Method adit.",
                 "a steep way on is still found where nothing else is"},
       c.horizon_floor);
-  visit(FieldNote{"opening_strength_min", "", 0, 4,
-                  "no_opening when the best place is weaker: stops of rise times the root of its share of the frame. "
-                  "Method adit.",
-                  "one stop over a twentieth of the frame, or two over a hundredth; stains and cables stay below"},
-        c.opening_strength_min);
+  visit(FieldNote{"way_odds_min", "", -20, 20,
+                  "no_opening when the odds of a way on against a wall are less: natural logarithm. Method adit.",
+                  "docs/method.md: one open frame in fifty is refused there"},
+        c.way_odds_min);
   visit(FieldNote{"dust_veil_min", "", 0, 1,
                   "Share of the light that is veil from which on the air is dusty. Method adit.",
                   "rock in clear air stands a stop or more above the lower envelope of its frame: share below 0.5"},
         c.dust_veil_min);
-  visit(FieldNote{"strength_even", "", 0.001, 10,
-                  "Strength at which an opening is as likely right as wrong. Method adit.",
-                  "docs/method.md, confidence: rendered frames"},
-        c.strength_even);
-  visit(FieldNote{"strength_spread", "", 0.01, 10,
-                  "Natural logarithm of strength over which the odds grow by e. Method adit.",
-                  "docs/method.md, confidence: rendered frames"},
-        c.strength_spread);
 }
 
 /// See above.

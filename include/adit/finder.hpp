@@ -57,10 +57,8 @@ struct FinderConfig {
   double noise_level = 2.0;
   double horizon_spread_deg = 12.0;
   double horizon_floor = 0.15;
-  double opening_strength_min = 0.22;
+  double way_odds_min = -1.0;
   double dust_veil_min = 0.7;
-  double strength_even = 0.27;
-  double strength_spread = 0.2;
 };
 
 /// The published method with the constants of the paper, for comparison.

@@ -44,10 +44,8 @@ class Config:
         noise_level: float = ...,
         horizon_spread_deg: float = ...,
         horizon_floor: float = ...,
-        opening_strength_min: float = ...,
+        way_odds_min: float = ...,
         dust_veil_min: float = ...,
-        strength_even: float = ...,
-        strength_spread: float = ...,
     ) -> None: ...
     method: str
     patch_size_px: int
@@ -74,10 +72,8 @@ class Config:
     noise_level: float
     horizon_spread_deg: float
     horizon_floor: float
-    opening_strength_min: float
+    way_odds_min: float
     dust_veil_min: float
-    strength_even: float
-    strength_spread: float
     @staticmethod
     def fields() -> dict[str, Field]: ...
     def to_dict(self) -> dict[str, Any]: ...

@@ -1,0 +1,46 @@
+#include "way_odds.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "cell_filters.hpp"
+
+namespace adit {
+namespace {
+
+/// Weights of a logistic regression over rendered frames of passages and walls (docs/method.md): rock from coal to
+/// white paint, sections from 2 to 10 m, lamps of four patterns on the camera and beside it, dust of five kinds.
+struct Weights {
+  double even;  ///< logarithm of the odds where all that follows is 0
+  double peak;  ///< of a natural logarithm, as are area and air
+  double area;
+  double air;
+  double above;  ///< a stop
+  double below;  ///< a stop
+};
+constexpr Weights kClear{13.9, 3.6, 2.27, 5.5, 2.06, -0.33};
+/// Through a veil the peak says how thin the veil is rather than how deep the place.
+constexpr Weights kVeilOff{18.6, -2.5, 2.78, 4.34, 1.57, -1.42};
+
+/// A place this strong, in clear air, is as likely a way on as not whatever the rest of the frame is like: of the walls
+/// that the weights are from none was above 0.39. And the natural logarithm of strength over which the odds grow by e.
+constexpr double kStrongEven = 0.45, kStrongSpread = 0.15;
+
+/// Added before logarithms, so that nothing seen is a small number and not none: a tenth of a stop, 60 of the 19,200
+/// cells, a block in two hundred.
+constexpr double kPeakFloor = 0.1, kAreaFloor = 0.003, kAirFloor = 0.005;
+
+}  // namespace
+
+double way_odds(const Candidate& best, int cells, const VeilSight& veil, bool veil_off) noexcept {
+  const Weights& w = veil_off ? kVeilOff : kClear;
+  const double peak_stops = static_cast<double>(best.peak) / kStop;
+  const double share = static_cast<double>(best.cells) / cells;
+  const double odds = w.even + w.peak * std::log(peak_stops + kPeakFloor) + w.area * std::log(share + kAreaFloor) +
+                      w.air * std::log(veil.open_share + kAirFloor) + w.above * veil.above_stops +
+                      w.below * veil.below_stops;
+  if (veil_off || !(best.strength > 0.0)) return odds;
+  return std::max(odds, std::log(best.strength / kStrongEven) / kStrongSpread);
+}
+
+}  // namespace adit

@@ -20,7 +20,7 @@ struct Weights {
 };
 constexpr Weights kClear{13.9, 3.6, 2.27, 5.5, 2.06, -0.33};
 /// Through a veil the peak says how thin the veil is rather than how deep the place.
-constexpr Weights kVeilOff{18.6, -2.5, 2.78, 4.34, 1.57, -1.42};
+constexpr Weights kVeilOff{18.1, -2.5, 2.78, 4.34, 1.57, -1.42};
 
 /// A place this strong, in clear air, is as likely a way on as not whatever the rest of the frame is like: of the walls
 /// that the weights are from none was above 0.39. And the natural logarithm of strength over which the odds grow by e.

@@ -19,14 +19,15 @@ OccupancyGrid::OccupancyGrid(double cell_m) : cell_m_(cell_m) {
   if (!(cell_m >= 0.01 && cell_m <= 10.0)) throw std::invalid_argument("the cell of a map is 0.01 to 10 m");
 }
 
-OccupancyGrid::Cell& OccupancyGrid::cell(int x, int y) {
+OccupancyGrid::Cell& OccupancyGrid::cell(int x, int y, Nearby& nearby) {
   const int tile_x = floor_div(x, kTileSide), tile_y = floor_div(y, kTileSide);
-  Tile& tile = tiles_[{tile_y, tile_x}];
-  return tile[static_cast<std::size_t>((y - tile_y * kTileSide) * kTileSide + x - tile_x * kTileSide)];
+  if (nearby.tile == nullptr || tile_x != nearby.x || tile_y != nearby.y)
+    nearby = {&tiles_[{tile_y, tile_x}], tile_x, tile_y};
+  return (*nearby.tile)[static_cast<std::size_t>((y - tile_y * kTileSide) * kTileSide + x - tile_x * kTileSide)];
 }
 
-void OccupancyGrid::mark(int x, int y, bool met) {
-  Cell& c = cell(x, y);
+void OccupancyGrid::mark(int x, int y, bool met, Nearby& nearby) {
+  Cell& c = cell(x, y, nearby);
   if (c.scan == scans_) {
     if (!met || c.met) return;
     c.log_odds += kMet - kPassed;  // it was taken for passed earlier in this scan
@@ -52,8 +53,9 @@ void OccupancyGrid::trace(double x0_m, double y0_m, double x1_m, double y1_m, bo
   double next_x = first_crossing(x0_m, dx, x, step_x), next_y = first_crossing(y0_m, dy, y, step_y);
   const double per_x = dx != 0.0 ? cell_m_ / std::abs(dx) : 0.0, per_y = dy != 0.0 ? cell_m_ / std::abs(dy) : 0.0;
   int left = std::abs(last_x - x) + std::abs(last_y - y);
+  Nearby nearby;
   for (; left > 0; --left) {
-    mark(x, y, false);
+    mark(x, y, false, nearby);
     if (next_x <= next_y) {
       x += step_x;
       next_x += per_x;
@@ -62,7 +64,7 @@ void OccupancyGrid::trace(double x0_m, double y0_m, double x1_m, double y1_m, bo
       next_y += per_y;
     }
   }
-  mark(last_x, last_y, met);
+  mark(last_x, last_y, met, nearby);
 }
 
 void OccupancyGrid::add(const Scan& scan, const Eigen::Vector3d& place, const Eigen::Quaterniond& attitude,

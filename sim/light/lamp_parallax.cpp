@@ -13,7 +13,7 @@ namespace {
 using Eigen::Vector3f;
 
 /// What stands beyond the image's edge is not seen. Where it might matter if it were no nearer than that, rays decide.
-constexpr float kNearestBeyondEdge_m = 0.7f;
+constexpr float kNearestBeyondEdge_m = 1.0f;
 constexpr float kTurnMax =
     0.7f;  ///< sine of the turn of the image plane; lamps farther before the lens are not beside it
 constexpr float kForwardMin = 0.2f;  ///< cosine between a ray and the turned axis

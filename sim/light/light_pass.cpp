@@ -175,6 +175,16 @@ void watch_own_lamps(Renderer::Parts& parts) {
   }
 }
 
+/// The table of triangles lies far from the core; while rays are aimed its rows are on their way.
+void send_for_triangles(const Tile& t, const Renderer::Parts& parts) {
+  const TriangleRow* const rows = parts.triangles.data();
+  for (const std::int32_t triangle : t.triangle) {
+    const float* const row = rows[triangle < 0 ? 0 : triangle].corner;
+    __builtin_prefetch(row);
+    __builtin_prefetch(row + kRowFloats / 2);
+  }
+}
+
 void light_tile(Renderer::Parts& parts, int tile, float least_lux) {
   static thread_local Tile t;
   const TilePlace place(parts, tile);
@@ -182,8 +192,9 @@ void light_tile(Renderer::Parts& parts, int tile, float least_lux) {
   const std::size_t at = place.at;
   const RowPose* const rows = &parts.row_poses[static_cast<std::size_t>(v0)];
   const ShadeKernels& kernels = shade_kernels();
-  aim_tile(t, parts, place);
   static_cast<TileHits&>(t) = parts.hits[static_cast<std::size_t>(tile)];
+  send_for_triangles(t, parts);
+  aim_tile(t, parts, place);
   kernels.surface(t, {&parts.materials, parts.triangles.data(), parts.pixel_angle, parts.render.facets});
   const RenderConfig& r = parts.render;
   if (t.any) {

@@ -295,6 +295,14 @@ float farthest2_inverse(Sight& s) {
   return inverse * inverse;
 }
 
+/// A tree of many megabytes lies far from the core: what is asked soon is sent for.
+template <class Thing>
+ADIT_LANE void send_for(const Thing* thing) {
+  constexpr std::size_t kLine = 64;
+  for (std::size_t at = 0; at < sizeof(Thing); at += kLine)
+    __builtin_prefetch(reinterpret_cast<const char*>(thing) + at);
+}
+
 void draw_tree(Sight& s, const TreeNode* nodes, const TreeLeaf* leaves) {
   struct Entry {
     float distance2;
@@ -318,6 +326,10 @@ void draw_tree(Sight& s, const TreeNode* nodes, const TreeLeaf* leaves) {
     for (std::uint32_t left = children_in_sight(s, node, hidden, distance2); left != 0; left &= left - 1) {
       const int j = __builtin_ctz(left);
       const Entry next{distance2[j], node.child[j]};
+      if (next.child < 0)
+        send_for(leaves + ~next.child);
+      else
+        send_for(nodes + next.child);
       int at = depth++;  // the nearest ends on top
       for (; at > first && stack[at - 1].distance2 < next.distance2; --at) stack[at] = stack[at - 1];
       stack[at] = next;
@@ -357,6 +369,7 @@ bool see(Tile& t, const float* axes, const TreeNode* nodes, const TreeLeaf* leav
       const std::int32_t triangle = s.triangle[b * kPacketLanes + k];
       t.triangle[kBlockLanes[static_cast<std::size_t>(b)] + k / kBlock * kTileWidth + k % kBlock] = triangle;
       any |= triangle + 1;
+      send_for(rows + (triangle < 0 ? 0 : triangle));
     }
   settle(t, rows);
   return any != 0;

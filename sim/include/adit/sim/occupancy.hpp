@@ -50,8 +50,14 @@ class OccupancyGrid {
   };
   using Tile = std::array<Cell, kTileSide * kTileSide>;
 
-  [[nodiscard]] Cell& cell(int x, int y);
-  void mark(int x, int y, bool met);
+  /// The tile that was asked for last: rays go from cell to cell.
+  struct Nearby {
+    Tile* tile = nullptr;
+    int x = 0, y = 0;
+  };
+
+  [[nodiscard]] Cell& cell(int x, int y, Nearby& nearby);
+  void mark(int x, int y, bool met, Nearby& nearby);
   void trace(double x0_m, double y0_m, double x1_m, double y1_m, bool met);
 
   double cell_m_;

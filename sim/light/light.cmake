@@ -42,6 +42,7 @@ endfunction()
 adit_shade_target(plain)
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
   adit_shade_target(avx2 -mavx2 -mtune=haswell)
-  adit_shade_target(avx512 -mavx512f -mavx512dq -mavx512vl -mavx512bw -mtune=skylake-avx512 -mprefer-vector-width=512)
+  adit_shade_target(avx512 -mavx512f -mavx512dq -mavx512vl -mavx512bw -mtune=skylake-avx512 -mprefer-vector-width=512
+                    -Wno-uninitialized)  # GCC 12's own avx512fintrin.h sets it off
   target_compile_definitions(adit_sim PRIVATE ADIT_SHADE_X86)
 endif()

@@ -4,6 +4,7 @@
 #include "lanes.hpp"
 #include "sensor_rows.hpp"
 #include "tile.hpp"
+#include "triangle_lanes.hpp"
 
 #define ADIT_TEXT_(x) #x
 #define ADIT_TEXT(x) ADIT_TEXT_(x)
@@ -40,48 +41,48 @@ void aim(Tile& t, const RowPose* rows, const float* const directions[3], int str
   }
 }
 
-/// Place, interpolated normal, geometric normal turned to the eye, material.
-void geometry(Tile& t, const TriangleRow* rows) {
-  const float* const table = rows->corner;
+/// Place, interpolated normal, geometric normal turned to the eye, material. Albedo, gloss and slope of facets run from
+/// corner to corner too, so that wet and dry do not meet along triangles.
+void geometry(Tile& t, const SurfaceTerms& terms, int first) {
+  RowLanes near, far;
+  take_rows(terms.triangles, t.triangle + first, 0, near);
+  take_rows(terms.triangles, t.triangle + first, kTreeWidth, far);
+  const auto& f = near.field;
+  const auto& g = far.field;
   ADIT_LANES
-  for (int i = 0; i < kTileLanes; ++i) {
+  for (int j = 0; j < kTreeWidth; ++j) {
+    const int i = first + j;
     const float range = clamped(t.range[i], 0.0f, 1e5f);  // where nothing is hit, places still fit integers
     t.px[i] = t.ox[i] + t.dx[i] * range;
     t.py[i] = t.oy[i] + t.dy[i] * range;
     t.pz[i] = t.oz[i] + t.dz[i] * range;
-    const std::int32_t at = (t.triangle[i] < 0 ? 0 : t.triangle[i]) * kRowFloats;
-    float gx = table[at + 9], gy = table[at + 10], gz = table[at + 11];
+    float gx = f[9][j], gy = f[10][j], gz = f[11][j];
     const float side = gx * t.dx[i] + gy * t.dy[i] + gz * t.dz[i] > 0.0f ? -1.0f : 1.0f;
-    const float g = side / std::sqrt(gx * gx + gy * gy + gz * gz + 1e-30f);
-    t.gx[i] = gx *= g;
-    t.gy[i] = gy *= g;
-    t.gz[i] = gz *= g;
+    const float n_g = side / std::sqrt(gx * gx + gy * gy + gz * gz + 1e-30f);
+    t.gx[i] = gx *= n_g;
+    t.gy[i] = gy *= n_g;
+    t.gz[i] = gz *= n_g;
     const float b = t.bu[i], c = t.bv[i], a = 1.0f - b - c;
-    const float nx = a * table[at + 12] + b * table[at + 15] + c * table[at + 18];
-    const float ny = a * table[at + 13] + b * table[at + 16] + c * table[at + 19];
-    const float nz = a * table[at + 14] + b * table[at + 17] + c * table[at + 20];
+    const float nx = a * f[12][j] + b * f[15][j] + c * g[2][j];
+    const float ny = a * f[13][j] + b * g[0][j] + c * g[3][j];
+    const float nz = a * f[14][j] + b * g[1][j] + c * g[4][j];
     // On the side of the geometric normal, whatever the winding.
     const float turn = nx * gx + ny * gy + nz * gz < 0.0f ? -1.0f : 1.0f;
     const float n = turn / std::sqrt(nx * nx + ny * ny + nz * nz + 1e-30f);
     t.nx[i] = nx * n;
     t.ny[i] = ny * n;
     t.nz[i] = nz * n;
-    t.material[i] = float_to_bits(table[at + 30]);
+    t.albedo[i] = a * g[5][j] + b * g[8][j] + c * g[11][j];
+    t.specular[i] = a * g[6][j] + b * g[9][j] + c * g[12][j];
+    t.slope[i] = a * g[7][j] + b * g[10][j] + c * g[13][j];
+    t.material[i] = float_to_bits(g[14][j]);
   }
 }
 
-/// Albedo, gloss and slope of facets run from corner to corner, so that wet and dry do not meet along triangles.
-void reflectance(Tile& t, const SurfaceTerms& terms) {
-  const MaterialTable& m = *terms.materials;
-  const float* const corners = terms.triangles->reflectance;
+void reflectance(Tile& t, const MaterialTable& m) {
   ADIT_LANES
   for (int i = 0; i < kTileLanes; ++i) {
     const std::int32_t k = t.material[i];
-    const std::int32_t at = (t.triangle[i] < 0 ? 0 : t.triangle[i]) * kRowFloats;
-    const float b = t.bu[i], c = t.bv[i], a = 1.0f - b - c;
-    t.albedo[i] = a * corners[at] + b * corners[at + 3] + c * corners[at + 6];
-    t.specular[i] = a * corners[at + 1] + b * corners[at + 4] + c * corners[at + 7];
-    t.slope[i] = a * corners[at + 2] + b * corners[at + 5] + c * corners[at + 8];
     t.red[i] = m.red[k];
     t.blue[i] = m.blue[k];
     t.shininess[i] = m.shininess[k];
@@ -163,14 +164,14 @@ void roughen(Tile& t, const SurfaceTerms& terms) {
     t.albedo[i] = clamped(t.albedo[i] * exp_lane(log_albedo) * hollow * (1.0f - 0.4f * has_wet), 0.005f, 0.95f);
     // Stains: iron's brown to grey, along the same patches; hardly ever towards blue.
     const float stain = clamped(sigma * (0.45f * fine.value - 0.30f * broad.value), -0.05f, 0.5f);
-    t.red[i] = m.red[k] * (1.0f + stain);
-    t.blue[i] = m.blue[k] * (1.0f - 1.3f * stain);
+    t.red[i] *= 1.0f + stain;
+    t.blue[i] *= 1.0f - 1.3f * stain;
   }
 }
 
 void surface(Tile& t, const SurfaceTerms& s) {
-  geometry(t, s.triangles);
-  reflectance(t, s);
+  for (int i = 0; i < kTileLanes; i += kTreeWidth) geometry(t, s, i);
+  reflectance(t, *s.materials);
   if (s.facets) roughen(t, s);
   ADIT_LANES
   for (int i = 0; i < kTileLanes; ++i)

@@ -338,16 +338,18 @@ void draw_tree(Sight& s, const TreeNode* nodes, const TreeLeaf* leaves) {
 }
 
 /// Range and place within the triangle from each ray's own origin (Moeller and Trumbore 1997).
-void settle(Tile& t, const TriangleRow* rows) {
-  const float* const table = rows->corner;
+void settle(Tile& t, const TriangleRow* rows, int first) {
+  RowLanes lanes;
+  take_rows(rows, t.triangle + first, 0, lanes);
+  const auto& f = lanes.field;
   ADIT_LANES
-  for (int i = 0; i < kTileLanes; ++i) {
+  for (int j = 0; j < kTreeWidth; ++j) {
+    const int i = first + j;
     const bool hit = t.triangle[i] >= 0;
-    const std::int32_t at = (hit ? t.triangle[i] : 0) * kRowFloats;
     const float dx = t.dx[i], dy = t.dy[i], dz = t.dz[i];
-    const float sx = t.ox[i] - table[at], sy = t.oy[i] - table[at + 1], sz = t.oz[i] - table[at + 2];
-    const float ax = table[at + 3], ay = table[at + 4], az = table[at + 5];
-    const float bx = table[at + 6], by = table[at + 7], bz = table[at + 8];
+    const float sx = t.ox[i] - f[0][j], sy = t.oy[i] - f[1][j], sz = t.oz[i] - f[2][j];
+    const float ax = f[3][j], ay = f[4][j], az = f[5][j];
+    const float bx = f[6][j], by = f[7][j], bz = f[8][j];
     const float px = dy * bz - dz * by, py = dz * bx - dx * bz, pz = dx * by - dy * bx;
     const float qx = sy * az - sz * ay, qy = sz * ax - sx * az, qz = sx * ay - sy * ax;
     const float across = ax * px + ay * py + az * pz;
@@ -371,6 +373,6 @@ bool see(Tile& t, const float* axes, const TreeNode* nodes, const TreeLeaf* leav
       any |= triangle + 1;
       send_for(rows + (triangle < 0 ? 0 : triangle));
     }
-  settle(t, rows);
+  for (int i = 0; i < kTileLanes; i += kTreeWidth) settle(t, rows, i);
   return any != 0;
 }

@@ -5,6 +5,10 @@
 namespace adit {
 namespace {
 
+std::vector<std::uint8_t> pixels_of(ConstPlaneView plane) {
+  return {plane.data, plane.data + static_cast<std::ptrdiff_t>(plane.width) * plane.height};
+}
+
 template <class Value>
 std::vector<Value> looked_up(const std::vector<std::uint8_t>& levels, const std::array<Value, 256>& table) {
   std::vector<Value> out(levels.size());
@@ -47,16 +51,18 @@ OpenSpace OpenSpaceFinder::explain(const ImageView& frame, StageImages& images) 
     chain_->workspace->adit->draw(images);
     return out;
   }
-  const Workspace& work = *chain_->workspace;
+  Workspace& work = *chain_->workspace;
+  const std::vector<std::uint8_t> dark = pixels_of(work.dark());
+  const std::vector<std::uint8_t> closed = pixels_of(work.closed());
   images.width = work.width;
   images.height = work.height;
-  images.dark_channel = work.dark_pixels;
-  images.transmission = looked_up(work.dark_pixels, as_floats(work.transmission));
-  images.scattering_depth = looked_up(work.dark_pixels, as_floats(work.depth));
-  images.closing = looked_up(work.closed_pixels, as_floats(work.depth));
-  images.closing_level = work.closed_pixels;
-  images.cluster = looked_up(work.closed_pixels, cluster_table(out.clusters));
-  images.binary = looked_up(work.closed_pixels, binary_table(out.threshold_level));
+  images.dark_channel = dark;
+  images.transmission = looked_up(dark, as_floats(work.transmission));
+  images.scattering_depth = looked_up(dark, as_floats(work.depth));
+  images.closing = looked_up(closed, as_floats(work.depth));
+  images.closing_level = closed;
+  images.cluster = looked_up(closed, cluster_table(out.clusters));
+  images.binary = looked_up(closed, binary_table(out.threshold_level));
   return out;
 }
 

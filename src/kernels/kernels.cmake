@@ -1,9 +1,10 @@
 target_sources(adit_core PRIVATE
   structuring_element.cpp
   morphology.cpp
-  row_window.cpp
-  sweep_pass.cpp
-  large_ellipse.cpp
+  element_sum.cpp
+  band_pass.cpp
+  band_plan.cpp
+  rectangle_pass.cpp
   dark_channel.cpp
   atmospheric_light.cpp
   region.cpp

@@ -1,19 +1,17 @@
 // The pixel loops, written once over the vector type `Bytes` of the target that includes this file.
 //
-// The including file defines in its own unnamed namespace: Bytes (kLanes, load, store, fill, smallest, largest, beyond,
-// same, at_most, minus, sum) and the pixel-format blocks. Nothing here may be an inline function with external linkage:
-// the linker would be free to take a copy made for another CPU.
+// The including file defines in its own unnamed namespace: Bytes (kLanes, load, store, fill, smallest, largest,
+// any_above, at_most, minus, sum, least, most) and the pixel-format blocks. Nothing here may be an inline function with
+// external linkage: the linker would be free to take a copy made for another CPU.
 
 struct Smallest {
   static Bytes of(Bytes a, Bytes b) { return smallest(a, b); }
   static std::uint8_t of(std::uint8_t a, std::uint8_t b) { return a < b ? a : b; }
-  static bool beyond(Bytes a, Bytes b) { return any_above(b, a); }
 };
 
 struct Largest {
   static Bytes of(Bytes a, Bytes b) { return largest(a, b); }
   static std::uint8_t of(std::uint8_t a, std::uint8_t b) { return a > b ? a : b; }
-  static bool beyond(Bytes a, Bytes b) { return any_above(a, b); }
 };
 
 // Calls vector(x) so that every column is met: in steps of a vector, the last one pulled back to end with the row
@@ -36,11 +34,68 @@ inline void along(int width, PerVector per_vector, PerColumn per_column) {
   if (x < width) per_vector(width - kLanes);
 }
 
-template <class Order>
-void join(const std::uint8_t* a, const std::uint8_t* b, std::uint8_t* out, int width) {
+template <class Order, int kCount>
+inline Bytes best_at(const std::uint8_t* const (&from)[kCount], std::ptrdiff_t x) {
+  Bytes best = load(from[0] + x);
+  for (int i = 1; i < kCount; ++i) best = Order::of(best, load(from[i] + x));
+  return best;
+}
+
+template <class Order, int kCount>
+void best_in_row(const std::uint8_t* const* list, std::uint8_t* out, int width) {
+  const std::uint8_t* from[kCount];
+  for (int i = 0; i < kCount; ++i) from[i] = list[i];
   along(
-      width, [&](std::ptrdiff_t x) { store(out + x, Order::of(load(a + x), load(b + x))); },
-      [&](std::ptrdiff_t x) { out[x] = Order::of(a[x], b[x]); });
+      width, [&](std::ptrdiff_t x) { store(out + x, best_at<Order>(from, x)); },
+      [&](std::ptrdiff_t x) {
+        std::uint8_t best = from[0][x];
+        for (int i = 1; i < kCount; ++i) best = Order::of(best, from[i][x]);
+        out[x] = best;
+      });
+}
+
+template <class Order, int kCount>
+void best_in_rows(const std::uint8_t* const* list, std::uint8_t* out, std::ptrdiff_t pitch, int width, int rows) {
+  const std::uint8_t* from[kCount];
+  for (int i = 0; i < kCount; ++i) from[i] = list[i];
+  std::ptrdiff_t length = width;
+  if (length == pitch) {  // one long row
+    length *= rows;
+    rows = 1;
+  }
+  for (std::ptrdiff_t begin = 0; rows > 0; --rows, begin += pitch) {
+    std::ptrdiff_t x = begin;
+    for (; x + 2 * Bytes::kLanes <= begin + length; x += 2 * Bytes::kLanes) {
+      store(out + x, best_at<Order>(from, x));
+      store(out + x + Bytes::kLanes, best_at<Order>(from, x + Bytes::kLanes));
+    }
+    if (x < begin + length) store(out + x, best_at<Order>(from, x));
+  }
+}
+
+static_assert(kOperandsMax == 5);
+
+template <class Order>
+void best_of(const std::uint8_t* const* from, int count, std::uint8_t* out, int width) {
+  switch (count) {
+    case 1: return best_in_row<Order, 1>(from, out, width);
+    case 2: return best_in_row<Order, 2>(from, out, width);
+    case 3: return best_in_row<Order, 3>(from, out, width);
+    case 4: return best_in_row<Order, 4>(from, out, width);
+    default: return best_in_row<Order, 5>(from, out, width);
+  }
+}
+
+template <class Order>
+void best_of_rows(const std::uint8_t* const* from, int count, std::uint8_t* out, std::ptrdiff_t pitch, int width,
+                  int rows) {
+  switch (count) {
+    case 1: return best_in_rows<Order, 1>(from, out, pitch, width, rows);
+    case 2: return best_in_rows<Order, 2>(from, out, pitch, width, rows);
+    case 3: return best_in_rows<Order, 3>(from, out, pitch, width, rows);
+    case 4: return best_in_rows<Order, 4>(from, out, pitch, width, rows);
+    default: return best_in_rows<Order, 5>(from, out, pitch, width, rows);
+  }
 }
 
 template <class Order>
@@ -58,40 +113,6 @@ void fold(const std::uint8_t* row, std::uint8_t* running, const std::uint8_t* su
       });
 }
 
-template <class Order>
-void gather(const std::uint8_t* const* left, const std::uint8_t* const* right, int count, std::uint8_t* out,
-            int width) {
-  along(
-      width,
-      [&](std::ptrdiff_t x) {
-        Bytes best = Order::of(load(left[0] + x), load(right[0] + x));
-        for (int i = 1; i < count; ++i) best = Order::of(best, Order::of(load(left[i] + x), load(right[i] + x)));
-        store(out + x, best);
-      },
-      [&](std::ptrdiff_t x) {
-        std::uint8_t best = Order::of(left[0][x], right[0][x]);
-        for (int i = 1; i < count; ++i) best = Order::of(best, Order::of(left[i][x], right[i][x]));
-        out[x] = best;
-      });
-}
-
-template <class Order>
-void compare_cells(const std::uint8_t* row, const std::uint8_t* other, int cells, std::uint8_t* row_beyond,
-                   std::uint8_t* other_beyond) {
-  for (int cell = 0; cell < cells; ++cell) {
-    bool first = false;
-    bool second = false;
-    for (int x = cell * kCellColumns; x < (cell + 1) * kCellColumns; x += Bytes::kLanes) {
-      const Bytes a = load(row + x);
-      const Bytes b = load(other + x);
-      first = first || Order::beyond(a, b);
-      second = second || Order::beyond(b, a);
-    }
-    row_beyond[cell] = first;
-    other_beyond[cell] = second;
-  }
-}
-
 // Runs `block`, which turns kBlock pixels of `step` bytes into kBlock bytes and reads `extra` bytes beyond them, over a
 // row, and `one` over the pixels that are left: a foreign row is never read beyond its end.
 template <int kBlock, class PerBlock, class PerPixel>
@@ -99,6 +120,11 @@ inline void along_pixels(const std::uint8_t* from, int step, int extra, std::uin
                          PerPixel one) {
   int x = 0;
   for (; (x + kBlock) * step + extra <= width * step; x += kBlock) block(from + x * step, to + x);
+  const int last = width - kBlock - (extra + step - 1) / step;  // met twice in part, which changes nothing
+  if (x < width && last >= 0) {
+    block(from + last * step, to + last);
+    x = last + kBlock;
+  }
   for (; x < width; ++x) to[x] = one(from + x * step);
 }
 
@@ -277,29 +303,16 @@ std::uint64_t sum_where_bright(const std::uint8_t* from, int channels, const std
   return total;
 }
 
-#if defined(ADIT_NO_SWEEPS)
-constexpr SweepLoops kRoundErosions{};
-constexpr SweepLoops kRoundDilations{};
-constexpr SweepLoops kSquareErosions{};
-#else
-#include "sweep.inl"
-
-using Halves = std::make_integer_sequence<int, kSweepHalfMax_px>;
-constexpr SweepLoops kRoundErosions = sweep_loops<Smallest, Round>(Halves{});
-constexpr SweepLoops kRoundDilations = sweep_loops<Largest, Round>(Halves{});
-constexpr SweepLoops kSquareErosions = sweep_loops<Smallest, Square>(Halves{});
-#endif
-
 template <class Order>
-constexpr OrderLoops order_loops(SweepLoops round, SweepLoops square) {
-  return {join<Order>, fold<Order>, gather<Order>, compare_cells<Order>, round, square};
+constexpr OrderLoops order_loops() {
+  return {best_of<Order>, best_of_rows<Order>, fold<Order>};
 }
 
 #include "cell_loops.inl"
 
 constexpr PixelLoops kLoops = {Bytes::kLanes,
-                               order_loops<Smallest>(kRoundErosions, kSquareErosions),
-                               order_loops<Largest>(kRoundDilations, {}),
+                               order_loops<Smallest>(),
+                               order_loops<Largest>(),
                                triplet_minimum,
                                quad_minimum,
                                grey16_to_8,

@@ -3,55 +3,23 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <utility>
-
-#include "sweep_recipe.hpp"
 
 namespace adit::kernels {
 
-/// Columns that one answer of PixelLoops::compare_cells speaks for, px.
-inline constexpr int kCellColumns = 64;
-
-/// Two neighbouring rows of results, and what they are made of.
-struct SweepPair {
-  /// The two middle rows; then, going outwards, the row above the upper one and the row below the lower one, and so on,
-  /// up to the element's reach.
-  const std::uint8_t* const* rows = nullptr;
-  std::uint8_t* upper = nullptr;  ///< where the results go
-  std::uint8_t* lower = nullptr;
-};
-/// Where a SweepLoop stands: one vector of a pair of rows.
-struct SweepPlace {
-  const SweepPair* pair = nullptr;
-  std::ptrdiff_t x = 0;  ///< where in each of the rows the vector begins
-};
-
-/// Bytes of the state of a SweepLoop.
-inline constexpr std::size_t kSweepStateBytes = 64 * (5 * SweepRecipe::kStepsMax + 2);
-
-/// The best value over an element along a row of vectors, the state kept from call to call. Results come late: at
-/// place i, those of place i - step_count are written, so that many places before the first are read too. Between two
-/// rows stands one vector of values that are never better.
-using SweepLoop = void (*)(std::uint8_t* state, const SweepPlace* places, int count);
-struct SweepLoops {
-  SweepLoop of_half[kSweepHalfMax_px];  ///< [half - 1]: for the element of 2 * half + 1 rows and columns; may be null
-};
+/// Rows that are taken in at once.
+inline constexpr int kOperandsMax = 5;
 
 /// Loops that exist twice: with the smallest value (erosion) and with the largest (dilation).
 struct OrderLoops {
-  /// out[x] = best(a[x], b[x]). `out` may be `a` or `b`.
-  void (*join)(const std::uint8_t* a, const std::uint8_t* b, std::uint8_t* out, int width);
+  /// out[x] = best over i of from[i][x]. count is 1 to kOperandsMax.
+  void (*best_of)(const std::uint8_t* const* from, int count, std::uint8_t* out, int width);
+  /// The same for rows that lie `pitch` bytes apart, width a multiple of 64, in order: rows from the top, columns from
+  /// the left. What is read may be what is written, but not before it.
+  void (*best_of_rows)(const std::uint8_t* const* from, int count, std::uint8_t* out, std::ptrdiff_t pitch, int width,
+                       int rows);
   /// running[x] = best(running[x], row[x]); out[x] = best(running[x], suffix[x]).
   void (*fold)(const std::uint8_t* row, std::uint8_t* running, const std::uint8_t* suffix, std::uint8_t* out,
                int width);
-  /// out[x] = best over i of left[i][x] and right[i][x]. count >= 1.
-  void (*gather)(const std::uint8_t* const* left, const std::uint8_t* const* right, int count, std::uint8_t* out,
-                 int width);
-  /// For each cell of kCellColumns: does `row` go beyond `other` (be better than it) at any column, and the reverse?
-  void (*compare_cells)(const std::uint8_t* row, const std::uint8_t* other, int cells, std::uint8_t* row_beyond,
-                        std::uint8_t* other_beyond);
-  SweepLoops round;
-  SweepLoops square;  ///< for erosion only: nothing dilates by a square in a hurry
 };
 
 /// The brightest `wanted` values met so far, and what is sure about them.

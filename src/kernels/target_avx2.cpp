@@ -56,15 +56,6 @@ constexpr int kTripletBlock = 16;
 constexpr int kTripletExtra = 2;
 inline void triplet_minimum_block(const std::uint8_t* p, std::uint8_t* to) { triplet_minimum_16(p, to); }
 
-template <int kColumns>
-inline Bytes earlier(Bytes before, Bytes now) {
-  return {_mm256_alignr_epi8(now.v, _mm256_permute2x128_si256(before.v, now.v, 0x21), 16 - kColumns)};
-}
-template <int kColumns>
-inline Bytes later(Bytes now, Bytes after) {
-  return {_mm256_alignr_epi8(_mm256_permute2x128_si256(now.v, after.v, 0x21), now.v, kColumns)};
-}
-
 #include "loops.inl"
 
 }  // namespace

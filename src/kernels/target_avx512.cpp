@@ -94,15 +94,6 @@ inline void triplet_minimum_block(const std::uint8_t* p, std::uint8_t* to) {
   _mm512_storeu_si512(to, _mm512_or_si512(low, _mm512_shuffle_epi8(z, third)));
 }
 
-template <int kColumns>
-inline Bytes earlier(Bytes before, Bytes now) {
-  return {_mm512_alignr_epi8(now.v, _mm512_alignr_epi32(now.v, before.v, 12), 16 - kColumns)};
-}
-template <int kColumns>
-inline Bytes later(Bytes now, Bytes after) {
-  return {_mm512_alignr_epi8(_mm512_alignr_epi32(after.v, now.v, 4), now.v, kColumns)};
-}
-
 #include "loops.inl"
 
 }  // namespace

@@ -60,15 +60,6 @@ inline std::uint64_t masked_triplet_sum(const std::uint8_t* p, const std::uint8_
          vaddlvq_u8(vandq_u8(channel.val[1], mask)) + vaddlvq_u8(vandq_u8(channel.val[2], mask));
 }
 
-template <int kColumns>
-inline Bytes earlier(Bytes before, Bytes now) {
-  return {vextq_u8(before.v, now.v, 16 - kColumns)};
-}
-template <int kColumns>
-inline Bytes later(Bytes now, Bytes after) {
-  return {vextq_u8(now.v, after.v, kColumns)};
-}
-
 #include "loops.inl"
 
 }  // namespace

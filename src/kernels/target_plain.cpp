@@ -100,8 +100,6 @@ inline std::uint64_t masked_triplet_sum(const std::uint8_t* p, const std::uint8_
   return total;
 }
 
-// Without an instruction that shifts bytes from one vector into the next, a sweep is slower than what goes without.
-#define ADIT_NO_SWEEPS
 #include "loops.inl"
 
 }  // namespace

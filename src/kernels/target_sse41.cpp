@@ -49,15 +49,6 @@ constexpr int kTripletBlock = 16;
 constexpr int kTripletExtra = 2;
 inline void triplet_minimum_block(const std::uint8_t* p, std::uint8_t* to) { triplet_minimum_16(p, to); }
 
-template <int kColumns>
-inline Bytes earlier(Bytes before, Bytes now) {
-  return {_mm_alignr_epi8(now.v, before.v, 16 - kColumns)};
-}
-template <int kColumns>
-inline Bytes later(Bytes now, Bytes after) {
-  return {_mm_alignr_epi8(after.v, now.v, kColumns)};
-}
-
 #include "loops.inl"
 
 }  // namespace

@@ -101,19 +101,6 @@ inline std::uint64_t masked_triplet_sum(const std::uint8_t* p, const std::uint8_
          sum({wasm_v128_and(t.c, mask)});
 }
 
-template <int kColumns>
-inline Bytes earlier(Bytes before, Bytes now) {
-  constexpr int k = 16 - kColumns;
-  return {wasm_i8x16_shuffle(before.v, now.v, k, k + 1, k + 2, k + 3, k + 4, k + 5, k + 6, k + 7, k + 8, k + 9, k + 10,
-                             k + 11, k + 12, k + 13, k + 14, k + 15)};
-}
-template <int kColumns>
-inline Bytes later(Bytes now, Bytes after) {
-  constexpr int k = kColumns;
-  return {wasm_i8x16_shuffle(now.v, after.v, k, k + 1, k + 2, k + 3, k + 4, k + 5, k + 6, k + 7, k + 8, k + 9, k + 10,
-                             k + 11, k + 12, k + 13, k + 14, k + 15)};
-}
-
 #include "loops.inl"
 
 }  // namespace

@@ -1,9 +1,14 @@
-#include <algorithm>
+#include "rectangle_pass.hpp"
 
-#include "morphology_passes.hpp"
+#include <algorithm>
 
 namespace adit {
 namespace {
+
+void join(const Order& order, const std::uint8_t* a, const std::uint8_t* b, std::uint8_t* out, int width) {
+  const std::uint8_t* const from[] = {a, b};
+  order.loops.best_of(from, 2, out, width);
+}
 
 // A chord that reaches past both ends of a row is no longer than the row.
 int clipped(int reach, int length) { return std::min(reach, length - 1); }
@@ -13,9 +18,6 @@ std::size_t pitch_of(int width, int reach_u) {
 }
 
 }  // namespace
-
-Order smallest_order() noexcept { return {kernels::pixel_loops().smallest, 255}; }
-Order largest_order() noexcept { return {kernels::pixel_loops().largest, 0}; }
 
 std::size_t RectanglePass::bytes_needed(int width, int height, const StructuringElement& element) noexcept {
   const int rows = 2 * clipped(element.height() / 2, height) + 1;
@@ -62,11 +64,11 @@ void RectanglePass::take_pending(PlaneView out) noexcept {
   int columns = 1;
   for (int turn = 0; 2 * columns <= window && length > 0; turn ^= 1, columns *= 2) {
     length -= columns;
-    order_.loops.join(from, from + columns, doubled_[turn], length);
+    join(order_, from, from + columns, doubled_[turn], length);
     from = doubled_[turn];
   }
   for (std::size_t i = 0; i < pending_; ++i, from += pitch_) {
-    order_.loops.join(from, from + window - columns, row_of_block(), width_);
+    join(order_, from, from + window - columns, row_of_block(), width_);
     take_into_block(row_of_block(), out);
   }
   pending_ = 0;
@@ -77,7 +79,7 @@ void RectanglePass::take_into_block(std::uint8_t* row, PlaneView out) noexcept {
   const int rows = 2 * reach_v_ + 1;
   ++rows_in_;
   if (rows_in_ <= reach_v_) {  // no window is complete yet
-    order_.loops.join(row, running_, running_, width_);
+    join(order_, row, running_, running_, width_);
   } else if (row_in_block_ + 1 == rows) {
     order_.loops.fold(row, running_, row, out.row(rows_out_++), width_);
   } else {
@@ -90,7 +92,7 @@ void RectanglePass::close_block() noexcept {
   const int rows = 2 * reach_v_ + 1;
   for (int i = rows - 2; i >= 0; --i) {
     std::uint8_t* row = block_ + static_cast<std::size_t>(i) * pitch_;
-    order_.loops.join(row, row + pitch_, row, width_);
+    join(order_, row, row + pitch_, row, width_);
   }
   std::memset(running_, order_.identity, static_cast<std::size_t>(width_));
   row_in_block_ = 0;

@@ -1,0 +1,190 @@
+#include <cstdlib>
+#include <limits>
+
+#include "band_pass.hpp"
+
+namespace adit {
+namespace {
+
+using From = BandPlan::From;
+using Step = BandPlan::Step;
+using Pair = ElementSum::Pair;
+
+/// What a strip's rows may take, bytes: a level-1 cache of 32 KiB also holds some of the rows that come in and go out.
+constexpr std::ptrdiff_t kStripBytesMax = 32 * 1024;
+/// What a vector from the level-2 cache costs, in vectors from level 1.
+constexpr double kLevel2Cost = 1.3;
+/// What the call of a step costs, in columns of work.
+constexpr double kCallColumns = 500.0;
+
+int rounded_up(int columns) { return static_cast<int>(AlignedBytes::rounded_up(static_cast<std::size_t>(columns))); }
+
+/// Steps that turn a pixel into `length` pixels in a row: each takes two or three windows of the last length, where it
+/// begins to where it ends.
+std::vector<std::vector<int>> widenings(int length) {
+  std::vector<std::vector<int>> steps;
+  for (int columns = 1; columns < length;) {
+    const int more = std::min(length - columns, 2 * columns);
+    steps.push_back(more > columns ? std::vector<int>{0, (more + 1) / 2, more} : std::vector<int>{0, more});
+    columns += more;
+  }
+  return steps;
+}
+
+/// Along one axis, pairs that reach 1, 2, 3, ... without a gap are one window. Takes them out; its length, or 1.
+int take_window(std::vector<Pair>& pairs, bool is_vertical) {
+  const auto is_along = [is_vertical](Pair pair) { return (is_vertical ? pair.du : pair.dv) == 0; };
+  std::vector<int> reaches;
+  for (const Pair pair : pairs) {
+    if (is_along(pair)) reaches.push_back(pair.du + pair.dv);
+  }
+  std::sort(reaches.begin(), reaches.end());
+  int length = 1;
+  for (const int reach : reaches) {
+    if (reach > length) return 1;
+    length += reach;
+  }
+  pairs.erase(std::remove_if(pairs.begin(), pairs.end(), is_along), pairs.end());
+  return length;
+}
+
+void add_window(std::vector<Step>& steps, int length, bool is_vertical) {
+  for (const std::vector<int>& places : widenings(length)) {
+    Step& step = steps.emplace_back();
+    for (const int place : places) step.add(is_vertical ? BandPlan::Operand{0, place} : BandPlan::Operand{place, 0});
+    step.dv_max = is_vertical ? places.back() : 0;
+  }
+}
+
+/// Columns that a step reaches to the right.
+int reach_of(const Step& step) {
+  int reach = 0;
+  for (int i = 0; i < step.count; ++i) reach = std::max(reach, step.operands[static_cast<std::size_t>(i)].du);
+  return reach;
+}
+
+/// Four places of a lozenge at once where a pair has its mirror image, else two.
+std::vector<Step> folds_of(std::vector<Pair> pairs) {
+  std::vector<Step> folds;
+  const int width = take_window(pairs, false), height = take_window(pairs, true);
+  add_window(folds, width, false);
+  while (!pairs.empty()) {
+    const Pair pair = pairs.front();
+    pairs.erase(pairs.begin());
+    const auto mirrored = std::find_if(pairs.begin(), pairs.end(), [pair](Pair other) {
+      return pair.du != 0 && other.du == -pair.du && other.dv == pair.dv;
+    });
+    const int du = std::abs(pair.du), dv = pair.dv;
+    Step& step = folds.emplace_back();
+    if (mirrored != pairs.end()) {
+      pairs.erase(mirrored);
+      for (const BandPlan::Operand place : {BandPlan::Operand{du, 0}, {0, dv}, {2 * du, dv}, {du, 2 * dv}}) {
+        step.add(place);
+      }
+      step.dv_max = 2 * dv;
+    } else {
+      step.add({std::max(0, -pair.du), 0});
+      step.add({std::max(0, pair.du), dv});
+      step.dv_max = dv;
+    }
+  }
+  add_window(folds, height, true);
+  return folds;
+}
+
+/// One chord of the core after the other, the longest first. Pixels are taken in where there is room beside.
+std::vector<Step> core_of(const std::vector<ElementSum::Chord>& chords) {
+  const int top = chords.front().v;
+  int left = std::numeric_limits<int>::max();
+  for (const ElementSum::Chord& chord : chords) left = std::min(left, chord.left);
+  std::vector<ElementSum::Chord> sorted = chords;
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [](const auto& a, const auto& b) { return a.right - a.left > b.right - b.left; });
+  std::vector<Step> steps;
+  for (const ElementSum::Chord& chord : sorted) {
+    const BandPlan::Operand place{chord.left - left, chord.v - top, From::kSource};
+    if (chord.left == chord.right) {
+      if (steps.empty() || steps.back().count == kernels::kOperandsMax) {
+        const bool is_first = steps.empty();
+        steps.emplace_back();
+        if (!is_first) steps.back().add({0, 0});
+      }
+      steps.back().add(place);
+      continue;
+    }
+    const bool is_first = steps.empty();
+    bool from_source = true;
+    for (const std::vector<int>& places : widenings(chord.right - chord.left + 1)) {
+      Step& step = steps.emplace_back();
+      step.to = is_first ? From::kMain : From::kWindows;
+      for (const int at : places) {
+        step.add(from_source ? BandPlan::Operand{place.du + at, place.dv, From::kSource}
+                             : BandPlan::Operand{at, 0, step.to});
+      }
+      from_source = false;
+    }
+    steps.back().to = From::kMain;
+    if (!is_first) steps.back().add({0, 0});
+  }
+  return steps;
+}
+
+}  // namespace
+
+BandPlan::BandPlan(int width, const StructuringElement& element)
+    : plane_width(width),
+      element_width(element.width()),
+      element_height(element.height()),
+      is_rectangle(element.is_rectangle()) {
+  const ElementSum sum = sum_of(element);
+  core_rows = static_cast<int>(sum.core.size());
+  fold_rows = element_height - core_rows;
+  for (int v = 0; v < element_height; ++v) reach_u = std::max(reach_u, element.half_chord(v));
+  const bool is_pixel = core_rows == 1 && sum.core[0].left == sum.core[0].right;
+  if (!is_pixel) core = core_of(sum.core);
+  folds = folds_of(sum.pairs);
+  int reach = 0;
+  for (const Step& fold : folds) reach += reach_of(fold);
+  choose_strip(reach);
+  pitch = rounded_up(strip_columns + 2 * reach_u);
+  // A chord is widened step by step: before the last one, all of a row is needed.
+  for (Step& step : core) step.width = static_cast<int>(pitch);
+  for (Step& fold : folds) fold.width = rounded_up(strip_columns + (reach -= reach_of(fold)));
+}
+
+void BandPlan::choose_strip(int reach) {
+  double least = std::numeric_limits<double>::max();
+  for (int strips = 1; strips == 1 || plane_width / strips >= 64; ++strips) {
+    const int columns = (plane_width + strips - 1) / strips;
+    const int widest = rounded_up(columns + 2 * reach_u);
+    double vectors = widest * static_cast<double>(core.size() + 1);
+    int ahead = reach;
+    for (const Step& fold : folds) vectors += fold.count * rounded_up(columns + (ahead -= reach_of(fold)));
+    for (int rows : {8, 12, 16, 24}) {
+      const int kept = fold_rows + (core.empty() ? 0 : core_rows - 1);
+      const int total = kept + rows * (core.empty() ? 1 : 2);
+      const std::ptrdiff_t bytes = total * static_cast<std::ptrdiff_t>(widest);
+      const double slower = bytes <= kStripBytesMax ? 1.0 : bytes <= 4 * kStripBytesMax ? kLevel2Cost : 2 * kLevel2Cost;
+      const double moved = 1.5 * kept * widest / rows;
+      const double cost =
+          slower * (vectors + moved + kCallColumns * static_cast<double>(core.size() + folds.size()) / rows) * strips;
+      if (cost < least) {
+        least = cost;
+        strip_columns = columns;
+        band = rows;
+      }
+    }
+  }
+}
+
+bool BandPlan::is_for(int width, const StructuringElement& element) const noexcept {
+  return plane_width == width && element_width == element.width() && element_height == element.height() &&
+         is_rectangle == element.is_rectangle();
+}
+
+// A step may read beyond the last row by its own reach.
+std::size_t BandPlan::bytes_needed() const noexcept {
+  return static_cast<std::size_t>(pitch) * static_cast<std::size_t>(fold_rows + core_rows + 3 * band + 2);
+}
+
+}  // namespace adit

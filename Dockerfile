@@ -4,7 +4,11 @@
 FROM debian:12-slim AS build
 WORKDIR /src
 COPY scripts/setup scripts/packages.txt scripts/
-RUN scripts/setup --yes build sim && rm -rf /var/lib/apt/lists/*
+# dpkg-dev and file: cpack asks them which libraries the program needs.
+# hadolint ignore=DL3008
+RUN scripts/setup --yes build sim \
+    && apt-get install -y --no-install-recommends dpkg-dev file \
+    && rm -rf /var/lib/apt/lists/*
 COPY . .
 RUN cmake -S . -B /build -G Ninja -DCMAKE_BUILD_TYPE=Release -DADIT_SIM=ON -DADIT_TESTS=OFF -DADIT_BENCH=OFF \
       -DCMAKE_INSTALL_PREFIX=/usr \

@@ -16,6 +16,8 @@ if(ADIT_AARCH64_SYSROOT)
   list(PREPEND CMAKE_FIND_ROOT_PATH ${ADIT_AARCH64_SYSROOT})
   set(CMAKE_LIBRARY_ARCHITECTURE aarch64-linux-gnu)
   set(library_folder ${ADIT_AARCH64_SYSROOT}/usr/lib/aarch64-linux-gnu)
+  # Headers that differ from machine to machine, jconfig.h for one.
+  set(CMAKE_CXX_FLAGS_INIT "-isystem ${ADIT_AARCH64_SYSROOT}/usr/include/aarch64-linux-gnu")
   # OpenCV needs hundreds of libraries in its turn; they are there when the program runs.
   set(CMAKE_EXE_LINKER_FLAGS_INIT "-Wl,-rpath-link,${library_folder} -Wl,--allow-shlib-undefined")
   set(ENV{PKG_CONFIG_LIBDIR} ${library_folder}/pkgconfig:${ADIT_AARCH64_SYSROOT}/usr/share/pkgconfig)

@@ -237,7 +237,7 @@ ExitCode fly_once(const FlyWork& work, const FlySettings& settings, const Site& 
     if (!work.out.empty()) outputs.emplace(work.out, flight, work.film, work.sensors, work.stills_s);
     const ReportOrigin origin = made_by(settings);
     std::optional<FlightReport> report;
-    if (!work.report.empty()) report.emplace(flight, origin);
+    if (!work.report.empty() || work.film) report.emplace(flight, origin);
 #ifdef ADIT_WITH_HTTP
     std::unique_ptr<FlightView> view;
     if (work.view)
@@ -260,11 +260,13 @@ ExitCode fly_once(const FlyWork& work, const FlySettings& settings, const Site& 
     if (outputs) {
       outputs->commit(flight, summary_json(flown.summary, flown.context));
       write_origin(work.out, origin);
+      if (report && work.film) report->keep(work.out);
       if (flown.summary.frames > 1)
         if (const auto why = draw_figures(work.out, {title_of(flown)}, flight.map().picture()); !why.empty())
           print_line("adit: no figures: " + why);
     }
-    if (report) report->write(work.report, flight, title_of(flown), summary_json(flown.summary, flown.context));
+    if (!work.report.empty())
+      report->write(work.report, flight, title_of(flown), summary_json(flown.summary, flown.context));
     if (!work.quiet) print_flight(flown);
 #ifdef ADIT_WITH_HTTP
     if (view) view->stay(title_of(flown));

@@ -3,6 +3,7 @@
 #include "eval_csv.hpp"
 #include "fly_outputs.hpp"
 #include "report_figures.hpp"
+#include "report_shots.hpp"
 
 namespace adit::tools {
 FlightReport::FlightReport(const sim::Flight& flight, ReportOrigin origin)
@@ -31,6 +32,10 @@ void FlightReport::write(const std::filesystem::path& path, const sim::Flight& f
     report_.map = ReportMap{std::string(png.begin(), png.end()), map.x_min_m - 0.5 * map.cell_m,
                             map.y_min_m - 0.5 * map.cell_m, map.cell_m};
   write_report(path, report_);
+}
+
+void FlightReport::keep(const std::filesystem::path& flight_folder) const {
+  write_shots(flight_folder / kShotsFolder, report_.pictures);
 }
 
 }  // namespace adit::tools

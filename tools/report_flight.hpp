@@ -19,6 +19,9 @@ class FlightReport {
   void write(const std::filesystem::path& path, const sim::Flight& flight, const std::string& title,
              const std::string& summary);
 
+  /// The pictures alone, for `adit report` of the flight's folder. @throws io::OutputError
+  void keep(const std::filesystem::path& flight_folder) const;
+
  private:
   Report report_;
   OpenSpaceFinder explainer_;  ///< the flight's own finder makes no pictures

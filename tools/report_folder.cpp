@@ -14,6 +14,7 @@
 #include "eval_csv.hpp"
 #include "finder_options.hpp"
 #include "report_figures.hpp"
+#include "report_shots.hpp"
 
 namespace adit::tools {
 namespace {
@@ -147,7 +148,9 @@ Report report_of_folder(const fs::path& folder, const std::function<void(std::in
   report.title = (report.table.is_flight() ? "Flight " : "Run ") + name;
   if (report.table.is_flight()) {
     report.map = read_map(folder);
-    if (fs::exists(folder / "flight.mp4", error)) {
+    if (read_shots(folder / kShotsFolder, report.pictures)) {
+      on_frame(static_cast<std::int64_t>(report.table.size()));
+    } else if (fs::exists(folder / "flight.mp4", error)) {
       add_film(report, folder / "flight.mp4", on_frame);
     } else {
       report.notes.push_back("There is no film in the folder: fly with --video, or with --report, to see the frames.");

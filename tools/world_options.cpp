@@ -21,7 +21,8 @@ void add_world_options(CLI::App& command, FlyOptions& options) {
   command.add_option("--mesh-up", options.mesh_up, "Axis of a mesh that points up: x, y, z, file")
       ->type_name("AXIS")
       ->check(CLI::IsMember({"file", "x", "y", "z"}));
-  command.add_flag("--world-lights", options.world_lights, "Keep the world file's lights as lamps")->group("");
+  command.add_flag("--world-lights", options.world_lights,
+                   "Keep the lights of a world file as lamps; they are passed over otherwise");
 }
 
 }  // namespace adit::tools

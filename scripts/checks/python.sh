@@ -19,3 +19,24 @@ pytest_with() {
 pytest_with "$PWD/build/python/python"
 quietly python-install cmake --install build/python --component python --prefix "$PWD/build/python_staged"
 pytest_with "$PWD/build/python_staged/lib/python3/dist-packages"
+
+# As pip does by scikit-build-core, which Debian 12 has not: the definitions, targets and components that pyproject.toml
+# names, with the wheel's root for a prefix, in a virtual environment of its own.
+venv=$PWD/build/python_venv
+rm -rf "$venv"
+$python -m venv --without-pip --system-site-packages "$venv"
+site=$("$venv/bin/python" -c 'import sysconfig; print(sysconfig.get_path("platlib"))')
+mapfile -t words < <("$venv/bin/python" - <<'EOF'
+import tomllib
+told = tomllib.load(open("pyproject.toml", "rb"))["tool"]["scikit-build"]
+assert told["install"]["components"] == ["python"] and told["build"]["targets"] == ["adit_python"], told
+print(*(f"-D{name}={value}" for name, value in told["cmake"]["define"].items()), sep="\n")
+EOF
+)
+[ ${#words[@]} -gt 0 ]
+quietly wheel-configure cmake -S . -B build/python_wheel -G Ninja -DCMAKE_BUILD_TYPE=Release -DSKBUILD=2 \
+  -DPython3_EXECUTABLE="$venv/bin/python" -DADIT_WERROR=ON "${words[@]}"
+quietly wheel-build cmake --build build/python_wheel --target adit_python --parallel "$jobs"
+quietly wheel-install cmake --install build/python_wheel --component python --prefix "$site"
+python=$venv/bin/python
+pytest_with "$site"

@@ -57,6 +57,12 @@ TEST(ImageMessageTest, AnUnknownEncodingIsNamed) {
   EXPECT_TRUE(view_of(message(64, 48, "", 64).m).is_unknown_encoding);
 }
 
+TEST(ImageMessageTest, AForeignWordStaysAWord) {
+  const std::string fault = view_of(message(64, 48, "mono8\n" + std::string(5000, 'x'), 64).m).fault;
+  EXPECT_EQ(fault.rfind("encoding: 'mono8?xxx", 0), 0u) << fault;
+  EXPECT_LT(fault.size(), 200u) << "one line for the log";
+}
+
 TEST(ImageMessageTest, SixteenBitsOfTheOtherByteOrderAreRefused) {
   Message made = message(64, 48, "mono16", 128);
   made.m.is_bigendian = !made.m.is_bigendian;

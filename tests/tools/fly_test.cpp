@@ -36,6 +36,15 @@ TEST(Fly, WritesATableASummaryAMapAndFigures) {
   EXPECT_EQ(json["frames"], 30);
   for (const char* name : {"map.png", "map.yaml", "flight.mp4", "still_000.50.png", "imu.csv", "scans.csv"})
     EXPECT_TRUE(std::filesystem::exists(folder / ("flight/" + std::string(name)))) << name;
+  const auto shots = nlohmann::json::parse(read_text(folder / "flight/shots/shots.json"));
+  EXPECT_EQ(shots["frames"].size(), 30u);
+  EXPECT_EQ(shots["stages"], shots["frames"]) << "each frame with its stages";
+  const Outcome report = run_adit({"report", "flight"}, {.folder = folder.path()});
+  ASSERT_EQ(report.exit_code, 0) << report.err;
+  const std::string page = read_text(folder / "flight/report.html");
+  EXPECT_NE(page.find(R"("overlay_is_drawn":false)"), std::string::npos) << "of the shots, not of the film";
+  for (const auto& tile : shots["tiles"]) EXPECT_NE(page.find(tile.dump()), std::string::npos) << tile;
+  EXPECT_GE(shots["tiles"].size(), 5u);
 }
 
 TEST(Fly, TheSameSeedGivesTheSameBytesOnOneThreadAndTwo) {

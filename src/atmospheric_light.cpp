@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <bitset>
 #include <cmath>
 #include <cstring>
 
@@ -29,8 +30,11 @@ std::uint64_t plain_sum_where_bright(const std::uint8_t* from, PixelFormat forma
   return sum;
 }
 
+/// Rows that may have a pixel of the tail: a few of them, most often.
+using RowMarks = std::bitset<kSideMax_px>;
+
 /// The brightest `fraction` of a dark channel: tail.floor is the smallest level that belongs to it.
-kernels::BrightTail brightest_of(ConstPlaneView dark, double fraction) {
+kernels::BrightTail brightest_of(ConstPlaneView dark, double fraction, RowMarks& rows) {
   const double pixels = static_cast<double>(dark.width) * dark.height;
   kernels::BrightTail tail;
   tail.wanted = static_cast<std::uint64_t>(std::max(1.0, std::ceil(fraction * pixels)));
@@ -38,7 +42,8 @@ kernels::BrightTail brightest_of(ConstPlaneView dark, double fraction) {
   constexpr int kRowStep = 64;
   for (int first = 0; first < kRowStep; ++first) {
     for (int v = first; v < dark.height; v += kRowStep) {
-      kernels::pixel_loops().count_tail(dark.row(v), dark.width, &tail);
+      // The floor only rises: what was below it stays below.
+      rows[static_cast<std::size_t>(v)] = kernels::pixel_loops().count_tail(dark.row(v), dark.width, &tail);
     }
   }
   return tail;
@@ -47,12 +52,14 @@ kernels::BrightTail brightest_of(ConstPlaneView dark, double fraction) {
 }  // namespace
 
 double atmospheric_light(const ImageView& view, int grey16_depth_bits, ConstPlaneView dark, double fraction) noexcept {
-  const kernels::BrightTail tail = brightest_of(dark, fraction);
+  RowMarks rows;
+  const kernels::BrightTail tail = brightest_of(dark, fraction, rows);
   const auto count = static_cast<double>(tail.above_floor + tail.counters[tail.floor]);
   const auto floor = static_cast<std::uint8_t>(tail.floor);
   const int step = bytes_per_pixel(view.format);
   std::uint64_t sum = 0;
   for (int v = 0; v < view.height; ++v) {
+    if (!rows[static_cast<std::size_t>(v)]) continue;
     if (view.format == PixelFormat::kGrey16 || step == 4) {
       sum += plain_sum_where_bright(view.row(v), view.format, grey16_depth_bits, dark.row(v), floor, view.width);
     } else {

@@ -19,10 +19,12 @@ void BandPass::start_strip(int begin) noexcept {
   first_ = std::max(0, begin - plan_.reach_u);
   last_ = std::min(plan_.plane_width, begin + width_ + plan_.reach_u);
   done_ = main_.first = source_.first = 0;
-  // What lies outside the plane is never better. Steps do not touch the source's rows: their ends stay as they are.
-  if (!core_is_pixel_) {
-    std::memset(source_.memory, order_.identity, static_cast<std::size_t>(source_.count * plan_.pitch));
-  }
+}
+
+// What lies outside the plane is never better. Steps do not touch the source's rows: their ends stay as they are.
+void BandPass::clear_source() noexcept {
+  if (core_is_pixel_) return;
+  std::memset(source_.memory, order_.identity, static_cast<std::size_t>(source_.count * plan_.pitch));
 }
 
 // Rows up to `end` of the source will come in.

@@ -107,6 +107,7 @@ class BandPass {
     const int source_end = height_ + plan_.element_height - 1;
     for (int begin = 0; begin < plan_.plane_width; begin += plan_.strip_columns) {
       start_strip(begin);
+      clear_source();
       for (int done = 0; done < source_end;) {
         const int end = std::min(done + plan_.band, source_end);
         make_room(end);
@@ -119,6 +120,19 @@ class BandPass {
     }
   }
 
+  /// The same where the source lies in memory as working rows do: plan.pitch bytes from one to the next, the plane's
+  /// first column reach_u bytes on, and around it, half an element high, what is never better. For a plan of one strip
+  /// whose core is not a pixel.
+  void run_over(std::uint8_t* source, PlaneView out) noexcept {
+    start_strip(0);
+    source_ = {source, height_ + plan_.element_height - 1};
+    for (int end = 0; end < height_ + plan_.fold_rows;) {
+      end = std::min(end + plan_.band, height_ + plan_.fold_rows);
+      keep(main_, std::max(0, done_ - plan_.fold_rows), end);
+      advance(end, out);
+    }
+  }
+
  private:
   /// Rows one below the other, of which the earliest are given up from time to time.
   struct Rows {
@@ -128,6 +142,7 @@ class BandPass {
   };
 
   void start_strip(int begin) noexcept;
+  void clear_source() noexcept;
   void make_room(int end) noexcept;
   void keep(Rows& rows, int first, int end) noexcept;
   std::uint8_t* prepare_row(int source_row) noexcept;

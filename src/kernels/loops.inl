@@ -219,35 +219,57 @@ inline void raise_floor(BrightTail* tail) {
   while (tail->above_floor >= tail->wanted) tail->above_floor -= tail->counters[++tail->floor];
 }
 
-void count_tail(const std::uint8_t* row, int width, BrightTail* tail) {
+// Four vectors at once: of most rows nothing is bright enough to matter.
+inline bool any_of_4_above(const std::uint8_t* p, Bytes limit) {
   constexpr int kLanes = Bytes::kLanes;
-  int x = 0;
-  for (; x + kLanes <= width; x += kLanes) {
-    Bytes left = load(row + x);
-    const int floor_before = tail->floor;
-    if (floor_before > 0 && !any_above(left, fill(static_cast<std::uint8_t>(floor_before - 1)))) continue;
-    std::uint32_t counted = 0;
-    while (counted < kLanes) {
-      const int level = most(left);
-      if (level < floor_before) break;
-      std::uint32_t there = kLanes - counted;  // level 0: all that are left
-      if (level > 0) {
-        const Bytes lower = at_most(left, fill(static_cast<std::uint8_t>(level - 1)));  // 255 is -1
-        there = kLanes - sum(minus(fill(0), lower));
-        left = smallest(left, lower);
-      }
-      counted += there;
-      tail->counters[level] += there;
-      if (level > tail->floor) tail->above_floor += there;
+  return any_above(largest(largest(load(p), load(p + kLanes)), largest(load(p + 2 * kLanes), load(p + 3 * kLanes))),
+                   limit);
+}
+
+inline void count_tail_vector(const std::uint8_t* p, BrightTail* tail) {
+  constexpr std::uint32_t kLanes = Bytes::kLanes;
+  Bytes left = load(p);
+  const int floor_before = tail->floor;
+  if (floor_before > 0 && !any_above(left, fill(static_cast<std::uint8_t>(floor_before - 1)))) return;
+  std::uint32_t counted = 0;
+  while (counted < kLanes) {
+    const int level = most(left);
+    if (level < floor_before) break;
+    std::uint32_t there = kLanes - counted;  // level 0: all that are left
+    if (level > 0) {
+      const Bytes lower = at_most(left, fill(static_cast<std::uint8_t>(level - 1)));  // 255 is -1
+      there = kLanes - sum(minus(fill(0), lower));
+      left = smallest(left, lower);
     }
-    raise_floor(tail);
+    counted += there;
+    tail->counters[level] += there;
+    if (level > tail->floor) tail->above_floor += there;
+  }
+  raise_floor(tail);
+}
+
+bool count_tail(const std::uint8_t* row, int width, BrightTail* tail) {
+  constexpr int kLanes = Bytes::kLanes;
+  bool any = false;
+  int x = 0;
+  while (x + kLanes <= width) {
+    if (x + 4 * kLanes <= width && tail->floor > 0 &&
+        !any_of_4_above(row + x, fill(static_cast<std::uint8_t>(tail->floor - 1)))) {
+      x += 4 * kLanes;
+      continue;
+    }
+    any = true;
+    const int end = x + 4 * kLanes <= width ? x + 4 * kLanes : x + kLanes;
+    for (; x < end; x += kLanes) count_tail_vector(row + x, tail);
   }
   for (; x < width; ++x) {
     if (row[x] < tail->floor) continue;
+    any = true;
     ++tail->counters[row[x]];
     tail->above_floor += row[x] > tail->floor;
     raise_floor(tail);
   }
+  return any;
 }
 
 void count_mask(const std::uint8_t* plane, std::ptrdiff_t stride, int width, int height, std::uint8_t last_level,

@@ -5,6 +5,13 @@ namespace adit {
 Order smallest_order() noexcept { return {kernels::pixel_loops().smallest, 255}; }
 Order largest_order() noexcept { return {kernels::pixel_loops().largest, 0}; }
 
+void set_margins(std::uint8_t* row, std::ptrdiff_t begin, std::ptrdiff_t end, std::ptrdiff_t pitch,
+                 std::uint8_t value) noexcept {
+  constexpr std::ptrdiff_t kBlock = AlignedBytes::kAlignment;
+  for (std::ptrdiff_t x = 0; x < begin; x += kBlock) std::memset(row + x, value, kBlock);
+  for (std::ptrdiff_t x = end / kBlock * kBlock; x < pitch; x += kBlock) std::memset(row + x, value, kBlock);
+}
+
 // Where the core is a pixel, the source goes into the main rows as it is.
 BandPass::BandPass(Order order, const BandPlan& plan, int height, std::uint8_t* work) noexcept
     : order_(order), plan_(plan), height_(height), core_is_pixel_(plan.core.empty()) {
@@ -48,9 +55,7 @@ std::uint8_t* BandPass::prepare_row(int source_row) noexcept {
   if (v < 0 || v >= height_) {
     std::memset(to, order_.identity, static_cast<std::size_t>(plan_.pitch));
   } else if (core_is_pixel_) {
-    const int end = before + last_ - first_;
-    std::memset(to, order_.identity, static_cast<std::size_t>(before));
-    std::memset(to + end, order_.identity, static_cast<std::size_t>(plan_.pitch - end));
+    set_margins(to, before, before + last_ - first_, plan_.pitch, order_.identity);
   }
   return to + before;
 }

@@ -93,6 +93,11 @@ struct BandPlan {
   void choose_strip(int reach);
 };
 
+/// Sets what lies before column `begin` of a working row, and from `end` on. In whole blocks, which is quicker: columns
+/// between them may be set too, and are to be written afterwards.
+void set_margins(std::uint8_t* row, std::ptrdiff_t begin, std::ptrdiff_t end, std::ptrdiff_t pitch,
+                 std::uint8_t value) noexcept;
+
 /// The best value over an element. Rows go down through one buffer, and every fold works on them in place: behind a
 /// fold lie rows that it has done, before it those that only the earlier folds have.
 class BandPass {

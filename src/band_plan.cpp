@@ -11,7 +11,7 @@ using Step = BandPlan::Step;
 using Pair = ElementSum::Pair;
 
 /// What a strip's rows may take, bytes: a level-1 cache of 32 KiB also holds some of the rows that come in and go out.
-constexpr std::ptrdiff_t kStripBytesMax = 32 * 1024;
+constexpr std::ptrdiff_t kStripBytesMax = 28 * 1024;
 /// What a vector from the level-2 cache costs, in vectors from level 1.
 constexpr double kLevel2Cost = 1.3;
 /// What the call of a step costs, in columns of work.

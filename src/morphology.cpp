@@ -57,10 +57,8 @@ void close_in_one_strip(ConstPlaneView in, const BandPlan& plan, PlaneView out, 
   std::memset(margined + (in.height + reach_v) * plan.pitch, erosion.identity,
               static_cast<std::size_t>(reach_v * plan.pitch));
   for (int v = 0; v < in.height; ++v) {
-    std::uint8_t* row = margined + (v + reach_v) * plan.pitch;
-    std::memset(row, erosion.identity, static_cast<std::size_t>(plan.reach_u));
-    std::memset(row + plan.reach_u + in.width, erosion.identity,
-                static_cast<std::size_t>(plan.pitch - plan.reach_u - in.width));
+    set_margins(margined + (v + reach_v) * plan.pitch, plan.reach_u, plan.reach_u + in.width, plan.pitch,
+                erosion.identity);
   }
   const PlaneView dilated{margined + reach_v * plan.pitch + plan.reach_u, in.width, in.height, plan.pitch};
   BandPass(largest_order(), plan, in.height, buffers.work.get()).run(rows_of(in), dilated);

@@ -272,32 +272,46 @@ bool count_tail(const std::uint8_t* row, int width, BrightTail* tail) {
   return any;
 }
 
-void count_mask(const std::uint8_t* plane, std::ptrdiff_t stride, int width, int height, std::uint8_t last_level,
-                std::uint8_t* columns, std::uint32_t* rows) {
+// A few rows together: the columns' counters are read and written once for all of them.
+template <int kRows>
+inline void count_mask_rows(const std::uint8_t* first, std::ptrdiff_t stride, int width, std::uint8_t last_level,
+                            std::uint8_t* columns, std::uint32_t* rows) {
   constexpr int kLanes = Bytes::kLanes;
   const Bytes limit = fill(last_level);
-  for (int v = 0; v < height; ++v) {
-    const std::uint8_t* row = plane + v * stride;
-    std::uint32_t in_row = 0;
-    int x = 0;
-    while (x + kLanes <= width) {
-      // 8-bit sums of the lanes are good for 255 vectors.
-      const int end = width - x > 255 * kLanes ? x + 255 * kLanes : width;
-      Bytes lanes = fill(0);
-      for (; x + kLanes <= end; x += kLanes) {
-        const Bytes mask = at_most(load(row + x), limit);  // 255 is -1
-        store(columns + x, minus(load(columns + x), mask));
-        lanes = minus(lanes, mask);
+  for (int v = 0; v < kRows; ++v) rows[v] = 0;
+  int x = 0;
+  while (x + kLanes <= width) {
+    // 8-bit sums of the lanes are good for 255 vectors.
+    const int end = width - x > 255 * kLanes ? x + 255 * kLanes : width;
+    Bytes lanes[kRows];
+    for (Bytes& lane : lanes) lane = fill(0);
+    for (; x + kLanes <= end; x += kLanes) {
+      Bytes column = load(columns + x);
+      for (int v = 0; v < kRows; ++v) {
+        const Bytes mask = at_most(load(first + v * stride + x), limit);  // 255 is -1
+        column = minus(column, mask);
+        lanes[v] = minus(lanes[v], mask);
       }
-      in_row += sum(lanes);
+      store(columns + x, column);
     }
-    for (; x < width; ++x) {
-      const bool inside = row[x] <= last_level;
-      columns[x] = static_cast<std::uint8_t>(columns[x] + inside);
-      in_row += inside;
-    }
-    rows[v] = in_row;
+    for (int v = 0; v < kRows; ++v) rows[v] += sum(lanes[v]);
   }
+  for (; x < width; ++x) {
+    for (int v = 0; v < kRows; ++v) {
+      const bool inside = first[v * stride + x] <= last_level;
+      columns[x] = static_cast<std::uint8_t>(columns[x] + inside);
+      rows[v] += inside;
+    }
+  }
+}
+
+void count_mask(const std::uint8_t* plane, std::ptrdiff_t stride, int width, int height, std::uint8_t last_level,
+                std::uint8_t* columns, std::uint32_t* rows) {
+  int v = 0;
+  for (; v + 4 <= height; v += 4) {
+    count_mask_rows<4>(plane + v * stride, stride, width, last_level, columns, rows + v);
+  }
+  for (; v < height; ++v) count_mask_rows<1>(plane + v * stride, stride, width, last_level, columns, rows + v);
 }
 
 std::uint64_t sum_where_bright(const std::uint8_t* from, int channels, const std::uint8_t* dark, std::uint8_t level,

@@ -69,7 +69,7 @@ cv::Mat mat_of(const ImageView& view) {
 
 std::string flight_csv_header() {
   return "frame,stamp_s,x_m,y_m,z_m,roll_deg,pitch_deg,yaw_deg,vx_m_s,vy_m_s,vz_m_s,height_m,delivery,status,"
-         "confidence,u_px,v_px,sx,sy,azimuth_deg,elevation_deg,area_fraction,command,yaw_rate_rad_s,"
+         "confidence,u_px,v_px,sx,sy,azimuth_deg,elevation_deg,area_fraction,command,yaw_rate_rad_s,speed_scale,"
          "passage_azimuth_deg,passage_elevation_deg,deepest_azimuth_deg,deepest_elevation_deg,deepest_range_m,"
          "branch_azimuths_deg,opening_in_sight,clearance_m,side_clearance_m,aside_m,progress_m,to_goal_m\n";
 }
@@ -97,6 +97,7 @@ std::string flight_csv_line(const sim::FlightRow& row) {
   add_cell(line, found ? row.area_fraction : no, 5);
   line.append(",").append(to_string(row.command.state));
   add_cell(line, row.command.yaw_rate_rad_s, 5);
+  add_cell(line, row.speed_scale, 3);
   const sim::Truth& t = row.truth;
   for (const double rad :
        {t.passage.azimuth_rad, t.passage.elevation_rad, t.deepest.azimuth_rad, t.deepest.elevation_rad})

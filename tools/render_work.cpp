@@ -54,6 +54,7 @@ class FrameMaker {
     sim::Shot shot{
         sim::rig_pose_of(row.vehicle), {}, row.stamp_s, seed_ * kFrameSeedStep + static_cast<std::uint64_t>(frame)};
     row.exposure = shot.exposure = settled(shot);
+    shot.lamps_on = is_lit(frame);
     renderer_.render(shot, picture);
     row.mean_level = picture.mean_level;
     const double yaw_rad = row.vehicle.yaw_rad;
@@ -61,6 +62,9 @@ class FrameMaker {
                                renderer_.camera_pose(shot.pose).cast<double>(), row.vehicle.height_m, std::nullopt);
     return row;
   }
+
+  /// Of lamps that flash, the even frames.
+  [[nodiscard]] bool is_lit(std::int64_t frame) const { return !renderer_.rig().lamps.flash || frame % 2 == 0; }
 
   [[nodiscard]] const CameraModel& camera() const { return renderer_.camera().model(); }
 
@@ -114,7 +118,9 @@ ExitCode render_frames(const RenderWork& work, const FlySettings& settings, cons
         tasks.push_back(pool.submit([&, i](int worker) {
           static thread_local sim::Frame picture;
           if (is_interrupted()) return;
-          const FiledPose pose = work.poses.empty() ? FiledPose{source.draw(i), {}} : filed_pose(work, i);
+          // With lamps that flash two frames share a place, one with the lamps on and one with them off.
+          const std::int64_t drawn = settings.rig.lamps.flash ? i - i % 2 : i;
+          const FiledPose pose = work.poses.empty() ? FiledPose{source.draw(drawn), {}} : filed_pose(work, i);
           TruthRow row = makers[static_cast<std::size_t>(worker)]->make(i, pose, picture);
           outputs.write_frame(i, picture);
           rows[static_cast<std::size_t>(i)] = std::move(row);

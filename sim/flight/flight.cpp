@@ -144,14 +144,14 @@ void Flight::take_frame() {
     on_the_way_.push_back({time_s_, true, {}, {}});
     return;
   }
-  if (row_.delivery == Delivery::kFresh)
+  if (row_.delivery == Delivery::kFresh) {
+    is_lit_ = !eye_->flashes() || frames_ % 2 == 0;
+    eye_->switch_lamps(is_lit_);
     frame_ =
         eye_->look(vehicle_.state(), time_s_, settings_.seed * kFrameSeedStep + static_cast<std::uint64_t>(frames_));
-  Sight sight;
-  if (navigator_)
-    sight = navigator_->look(frame_);
-  else
-    sight.open_space = finder_->find(frame_);
+  }
+  row_.lamps_on = is_lit_;
+  const Sight sight = judged();
   open_space_ = sight.open_space;
   row_.status = open_space_.status;
   row_.confidence = open_space_.confidence;
@@ -160,6 +160,26 @@ void Flight::take_frame() {
   row_.bearing = open_space_.bearing;
   row_.area_fraction = open_space_.area_fraction;
   on_the_way_.push_back({time_s_, false, sight, {vehicle_.state().yaw_rate_rad_s, speed_m_s()}});
+}
+
+/// What perception makes of the frame; of an eye that flashes, of it and the last one with the lamps the other way.
+Sight Flight::judged() {
+  Sight sight;
+  if (eye_->flashes()) {
+    const auto rows = static_cast<std::size_t>(frame_.height);
+    kept_[is_lit_ ? 1 : 0].assign(frame_.data, frame_.data + rows * static_cast<std::size_t>(frame_.stride_bytes));
+    const std::vector<std::uint8_t>& other = kept_[is_lit_ ? 0 : 1];
+    if (!other.empty()) {
+      ImageView before = frame_;
+      before.data = other.data();
+      if (navigator_) return navigator_->look_flash(frame_, before);
+      sight.open_space = finder_->find_flash(frame_, before);
+      return sight;
+    }
+  }
+  if (navigator_) return navigator_->look(frame_);
+  sight.open_space = finder_->find(frame_);
+  return sight;
 }
 
 /// The pilot's side: what was taken camera_delay_frames ago arrives, or is missed.

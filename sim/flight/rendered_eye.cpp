@@ -24,8 +24,15 @@ CameraPose RenderedEye::pose(const VehicleState& vehicle) const {
 }
 
 ImageView RenderedEye::look(const VehicleState& vehicle, double stamp_s, std::uint64_t seed) {
-  renderer_.render({rig_pose_of(vehicle), exposure_.current(), stamp_s, seed}, frame_);
-  exposure_.observe(frame_.mean_level);
+  if (lamps_on_ && lit_level_) {
+    exposure_.observe(*lit_level_);
+    lit_level_.reset();
+  }
+  renderer_.render({rig_pose_of(vehicle), exposure_.current(), stamp_s, seed, lamps_on_}, frame_);
+  if (!flashes())
+    exposure_.observe(frame_.mean_level);
+  else if (lamps_on_)
+    lit_level_ = frame_.mean_level;
   return frame_.view();
 }
 

@@ -85,7 +85,7 @@ void draw_grain(Renderer::Parts& parts, const CameraMotion& motion, const Vector
 
 void grains_pass(Renderer::Parts& parts, const CameraMotion& motion, const Shot& shot) {
   const DustConfig& dust = parts.rig.dust;
-  if (dust.grains_per_m3 <= 0.0f || parts.own_lamps.empty()) return;
+  if (dust.grains_per_m3 <= 0.0f || parts.own_lamps.empty() || !parts.lamps_on) return;
   // The air drifts as a whole through the world; grains have fixed places in it, by cell.
   const Vector3f drift = dust.grain_drift_m_s * Vector3f(0.89f, 0.36f, -0.28f);
   const Vector3f gone = drift * static_cast<float>(shot.time_s);

@@ -82,7 +82,9 @@ void add_own_lamps(Tile& t, const Renderer::Parts& parts, const RowPose* rows, i
                           0.0f,
                           parts.rig.dust.extinction_1_m};
     shade_kernels().lamp(t, terms);
-    add_unshadowed(t, parts, terms, least_lux, marked_in(parts.dark_blocks[l], parts, u0, v0), t.own, t.own_specular);
+    add_unshadowed(t, parts, terms, least_lux,
+                   parts.render.shadows ? marked_in(parts.dark_blocks[l], parts, u0, v0) : kAllBlocks, t.own,
+                   t.own_specular);
   }
 }
 
@@ -198,7 +200,7 @@ void light_tile(Renderer::Parts& parts, int tile, float least_lux) {
   kernels.surface(t, {&parts.materials, parts.triangles.data(), parts.pixel_angle, parts.render.facets});
   const RenderConfig& r = parts.render;
   if (t.any) {
-    add_own_lamps(t, parts, rows, u0, v0, least_lux);
+    if (parts.lamps_on) add_own_lamps(t, parts, rows, u0, v0, least_lux);
     kernels.virtual_lights(t, parts.bounces.data(), static_cast<int>(parts.bounces.size()),
                            r.indirect_clamp_m * r.indirect_clamp_m, parts.rig.dust.extinction_1_m);
     add_foreign_lamps(t, parts, least_lux);
@@ -215,7 +217,7 @@ void light_tile(Renderer::Parts& parts, int tile, float least_lux) {
                            kSkyBlue,
                            parts.rig.dust.extinction_1_m,
                            parts.world->sky_lux / 3.14159265f,
-                           parts.backscatter.get(),
+                           parts.lamps_on ? parts.backscatter.get() : nullptr,
                            static_cast<float>(BackscatterTable::kNodesX - 1) / static_cast<float>(parts.stride),
                            static_cast<float>(BackscatterTable::kNodesY - 1) / static_cast<float>(parts.rows),
                            u0,
@@ -235,7 +237,7 @@ void light_pass(Renderer::Parts& parts, const CameraMotion& motion, float readou
     in_camera.translate(lamp.place);
     in_camera.rotate(Eigen::Quaternionf::FromTwoVectors(Vector3f::UnitZ(), lamp.axis));
     const int count = parts.render.virtual_lights / std::max(lamp_count, 1);
-    if (count > 0)
+    if (count > 0 && parts.lamps_on)
       add_bounces(parts.bounces, *parts.world, *parts.scene, motion.pose * in_camera, lamp.lobe, lamp.intensity_cd,
                   count, parts.rig.dust.extinction_1_m, 0);
   }
@@ -243,7 +245,7 @@ void light_pass(Renderer::Parts& parts, const CameraMotion& motion, float readou
   const int tiles = parts.stride / kTileWidth * (parts.rows / kTileHeight);
   parts.hits.resize(static_cast<std::size_t>(tiles));
   parts.each(tiles, [&](int i) { see_tile(parts, i); });
-  if (parts.render.shadows) watch_own_lamps(parts);
+  if (parts.render.shadows && parts.lamps_on) watch_own_lamps(parts);
   parts.each(tiles, [&](int i) { light_tile(parts, i, least_lux); });
 }
 

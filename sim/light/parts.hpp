@@ -65,6 +65,7 @@ struct Renderer::Parts {
   std::unique_ptr<BackscatterTable> backscatter;
   SensorTables sensor;
   // Of the frame under work.
+  bool lamps_on = true;  ///< the rig's
   std::vector<float> planes[3], blurred[3], range, mosaic;
   std::vector<VirtualLight> bounces;
   std::vector<RowPose> row_poses;

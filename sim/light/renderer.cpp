@@ -170,6 +170,7 @@ void Renderer::render(const Shot& shot, Frame& frame) {
   frame.width = p.width;
   frame.height = p.height;
   frame.exposure = shot.exposure;
+  p.lamps_on = shot.lamps_on;
   auto clock = std::chrono::steady_clock::now();
   light_pass(p, motion, p.rig.sensor.readout_s);
   frame.times.light_ms = ms_since(clock);
@@ -194,6 +195,7 @@ Frame Renderer::render(const Shot& shot) {
 Radiance Renderer::radiance(const Shot& shot) {
   Parts& p = *parts_;
   const CameraMotion motion = motion_of(p, camera_pose(shot.pose), shot);
+  p.lamps_on = shot.lamps_on;
   light_pass(p, motion, p.rig.sensor.readout_s);
   lens_pass(p, motion, shot);
   Radiance radiance{p.width, p.height, {}, {}, {}};

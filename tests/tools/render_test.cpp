@@ -66,6 +66,25 @@ TEST(Render, WritesFramesRangesAndTruth) {
   EXPECT_EQ(run.exit_code, 0) << run.err;
 }
 
+TEST(Render, LampsThatFlashMakePairsFromOnePlace) {
+  const ScratchFolder folder;
+  const Outcome outcome = run_adit(few_frames("set", {"--set", "lamps.flash=1"}), {.folder = folder.path()});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto rows = rows_of(read_text(folder / "set/truth.csv"));
+  ASSERT_EQ(rows.size(), 4u);
+  const auto cell = [&](std::size_t row, const char* name) {
+    return rows[row][static_cast<std::size_t>(std::find(rows[0].begin(), rows[0].end(), name) - rows[0].begin())];
+  };
+  EXPECT_EQ(cell(1, "x_m"), cell(2, "x_m"));
+  EXPECT_NE(cell(1, "x_m"), cell(3, "x_m"));
+  const auto mean_of = [&](const char* name) { return cv::mean(cv::imread((folder / name).string()))[1]; };
+  EXPECT_GT(mean_of("set/frames/000000.png"), 2.0 * mean_of("set/frames/000001.png")) << "what is left is noise";
+  const Outcome run = run_adit(
+      {"run", "set/frames", "--camera", "set/camera.yaml", "--flash", "--method", "adit", "--csv", "t.csv", "--quiet"},
+      {.folder = folder.path()});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+}
+
 TEST(Render, SeedAndSettingsFileMakeTheSameBytesOnAnyNumberOfThreads) {
   const ScratchFolder folder;
   ASSERT_EQ(run_adit(few_frames("one", {"--jobs", "1", "--rig", "narrow_beam", "--set", "lens.hfov_deg=90", "--set",

@@ -148,6 +148,7 @@ const groups = [
     series("passage 5 m ahead", "passage_azimuth_deg", "#9aa2ad", { dash: [6, 4] })]],
   ["Confidence", [series("confidence", "confidence", "#2fb457"), series("veil", "veil_fraction", "#c79bff")], [0, 1]],
   ["Yaw rate, rad/s, positive to the left", [series("yaw rate", "yaw_rate_rad_s", "#2fb457")]],
+  ["Speed, share of what is set", [series("speed", "speed_scale", "#c79bff")], [0, 1]],
   ["Side clearance, m", [series("side clearance", "side_clearance_m", "#ff6b81")]],
 ];
 function makeCharts() {

@@ -72,6 +72,33 @@ TEST(Flight, FliesThroughABendToTheGoal) {
   EXPECT_NEAR(summary.progress_m, summary.distance_m, 5.0);
 }
 
+/// Every second frame is black; judged with the one before, each of them shows the way.
+TEST(Flight, LampsThatFlashAreJudgedInPairs) {
+  const World world = bend();
+  const RayScene scene(world.mesh);
+  for (const Method method : {Method::kPaper, Method::kAdit}) {
+    FlightSettings s = settings(1);
+    s.finder.method = method;
+    s.flight.time_max_s = 4.0;
+    s.flight.drop_fraction = 0.0;
+    s.flight.repeat_fraction = 0.1;
+    test::StandIn eye(scene);
+    eye.flash = true;
+    Flight flight(s, world, scene, eye);
+    int found = 0, lit = 0, rows = 0;
+    while (flight.step()) {
+      const FlightRow& row = flight.row();
+      EXPECT_TRUE(row.delivery != Delivery::kFresh || row.lamps_on == (row.frame % 2 == 0)) << row.frame;
+      found += row.status == Status::kFound ? 1 : 0;
+      lit += row.lamps_on ? 1 : 0;
+      ++rows;
+    }
+    EXPECT_GT(rows, 50);
+    EXPECT_GT(found, rows * 9 / 10) << to_string(method);
+    EXPECT_NEAR(lit, rows / 2, rows / 8);
+  }
+}
+
 TEST(Flight, TheSameSeedGivesTheSameBytesAloneAndBesideAnother) {
   const World world = bend();
   const RayScene scene(world.mesh);

@@ -32,17 +32,22 @@ class StandIn : public Eye {
     pixels_.resize(ranges.size());
     for (std::size_t i = 0; i < ranges.size(); ++i) {
       const double lit = 400.0 / std::max(1.0, static_cast<double>(ranges[i] * ranges[i])) + noise.normal();
-      pixels_[i] = blind ? std::uint8_t{0} : static_cast<std::uint8_t>(std::clamp(lit, 0.0, 255.0));
+      pixels_[i] = blind || !lamps_on_ ? std::uint8_t{0} : static_cast<std::uint8_t>(std::clamp(lit, 0.0, 255.0));
     }
     return {pixels_.data(), camera_.model().width, camera_.model().height, camera_.model().width, PixelFormat::kGrey8};
   }
 
+  bool flashes() const override { return flash; }
+  void switch_lamps(bool on) override { lamps_on_ = on; }
+
   bool blind = false;
+  bool flash = false;
 
  private:
   const RayScene* scene_;
   Camera camera_;
   std::vector<std::uint8_t> pixels_;
+  bool lamps_on_ = true;
 };
 
 }  // namespace adit::sim::test

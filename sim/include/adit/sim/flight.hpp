@@ -77,6 +77,10 @@ class Eye {
   /// Takes a frame. It stays valid until the next call.
   /// @param seed  of this frame's noise.
   virtual ImageView look(const VehicleState& vehicle, double stamp_s, std::uint64_t seed) = 0;
+  /// Whether the vehicle's lamps are to be on in even frames and off in odd ones, and frames judged in pairs.
+  [[nodiscard]] virtual bool flashes() const { return false; }
+  /// For the frames from now on.
+  virtual void switch_lamps(bool /*on*/) {}
 };
 
 /// How a flight ended.
@@ -102,6 +106,7 @@ struct FlightRow {
   VehicleState vehicle;
   Truth truth;
   Delivery delivery = Delivery::kFresh;
+  bool lamps_on = true;               ///< when the frame was taken that was delivered
   Status status = Status::kBadFrame;  ///< meaningless for dropped frames, as are the next five
   double confidence = 0.0;
   Pixel centroid_px;
@@ -152,6 +157,7 @@ class Flight {
 
  private:
   void take_frame();
+  [[nodiscard]] Sight judged();
   void deliver();
   void survey();
   [[nodiscard]] double speed_m_s() const noexcept;
@@ -199,6 +205,9 @@ class Flight {
 
   FlightRow row_;
   ImageView frame_;
+  /// Of an eye that flashes: the last frame with the lamps off and the last with them on, and which of them is frame_.
+  std::vector<std::uint8_t> kept_[2];
+  bool is_lit_ = true;
   OpenSpace open_space_;
   std::optional<Outcome> outcome_;
   std::string reason_;

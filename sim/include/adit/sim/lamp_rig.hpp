@@ -29,6 +29,7 @@ struct LampRig {
   std::vector<Lamp> lamps = {Lamp{}};
   float tint_red = 0.95f;   ///< red light relative to green, as the sensor sees it
   float tint_blue = 1.05f;  ///< blue light relative to green
+  bool flash = false;       ///< on in even frames, off in odd ones
 };
 
 /// The lobe of a lamp as a function of sin(t/2), ready for look-up.

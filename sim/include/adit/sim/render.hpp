@@ -64,6 +64,7 @@ struct Shot {
   Exposure exposure;
   double time_s = 0.0;     ///< of the flight: grains drift by it
   std::uint64_t seed = 0;  ///< of this frame: noise is drawn by it
+  bool lamps_on = true;    ///< those of the rig
 };
 
 /// Milliseconds of the last frame by part, wall clock.

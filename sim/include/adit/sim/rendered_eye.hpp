@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "adit/sim/flight.hpp"
 #include "adit/sim/render.hpp"
@@ -17,7 +18,10 @@ class RenderedEye : public Eye {
 
   [[nodiscard]] const Camera& camera() const override;
   [[nodiscard]] CameraPose pose(const VehicleState& vehicle) const override;
+  /// With lamps that flash, exposure follows the frames with the lamps on, and is the same in the frame after.
   ImageView look(const VehicleState& vehicle, double stamp_s, std::uint64_t seed) override;
+  [[nodiscard]] bool flashes() const override { return renderer_.rig().lamps.flash; }
+  void switch_lamps(bool on) override { lamps_on_ = on; }
 
   /// The last frame, with range and exposure.
   [[nodiscard]] const Frame& frame() const noexcept { return frame_; }
@@ -26,6 +30,8 @@ class RenderedEye : public Eye {
   Renderer renderer_;
   AutoExposure exposure_;
   Frame frame_;
+  bool lamps_on_ = true;
+  std::optional<float> lit_level_;  ///< mean of the last frame with the lamps on that exposure has not followed yet
 };
 
 /// A vehicle's motion as the renderer takes it.

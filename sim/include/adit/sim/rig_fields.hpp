@@ -44,6 +44,9 @@ void visit_fields(Config& c, Visitor&& visit) {
         c.tint_red);
   visit(FieldNote{"tint_blue", "", 0.1, 3, "Blue of all lamps, relative to green.", "white LEDs 4000 to 6500 K"},
         c.tint_blue);
+  visit(FieldNote{"flash", "", 0, 1, "The vehicle's lamps are on in even frames and off in odd ones.",
+                  "for what takes frames in pairs: adit run --flash"},
+        c.flash);
 }
 
 template <class Config, class Visitor>

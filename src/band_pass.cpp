@@ -15,8 +15,8 @@ void set_margins(std::uint8_t* row, std::ptrdiff_t begin, std::ptrdiff_t end, st
 // Where the core is a pixel, the source goes into the main rows as it is.
 BandPass::BandPass(Order order, const BandPlan& plan, int height, std::uint8_t* work) noexcept
     : order_(order), plan_(plan), height_(height), core_is_pixel_(plan.core.empty()) {
-  main_ = {work, plan.fold_rows + plan.band};
-  source_ = {work + main_.count * plan.pitch, core_is_pixel_ ? 0 : plan.core_rows - 1 + plan.band};
+  main_ = {work, plan.fold_rows + plan.room};
+  source_ = {work + main_.count * plan.pitch, core_is_pixel_ ? 0 : plan.core_rows - 1 + plan.room};
   windows_ = {source_.memory + source_.count * plan.pitch, plan.band};
 }
 

@@ -88,6 +88,7 @@ struct BandPlan {
   std::ptrdiff_t pitch;   ///< of a working row, bytes
 
   int band = 0;  ///< rows that go through a step together
+  int room = 0;  ///< rows that come in before those that are still needed are moved up
 
  private:
   void choose_strip(int reach);

@@ -165,13 +165,14 @@ void BandPlan::choose_strip(int reach) {
       const int total = kept + rows * (core.empty() ? 1 : 2);
       const std::ptrdiff_t bytes = total * static_cast<std::ptrdiff_t>(widest);
       const double slower = bytes <= kStripBytesMax ? 1.0 : bytes <= 4 * kStripBytesMax ? kLevel2Cost : 2 * kLevel2Cost;
-      const double moved = 1.5 * kept * widest / rows;
       const double cost =
-          slower * (vectors + moved + kCallColumns * static_cast<double>(core.size() + folds.size()) / rows) * strips;
+          slower * (vectors + kCallColumns * static_cast<double>(core.size() + folds.size()) / rows) * strips;
       if (cost < least) {
         least = cost;
         strip_columns = columns;
         band = rows;
+        // In level 1 each line counts; beyond it rows are moved up less often, one for three that come in.
+        room = bytes <= kStripBytesMax ? rows : rows * std::max(1, (2 * kept + rows - 1) / rows);
       }
     }
   }
@@ -184,7 +185,7 @@ bool BandPlan::is_for(int width, const StructuringElement& element) const noexce
 
 // A step may read beyond the last row by its own reach.
 std::size_t BandPlan::bytes_needed() const noexcept {
-  return static_cast<std::size_t>(pitch) * static_cast<std::size_t>(fold_rows + core_rows + 3 * band + 2);
+  return static_cast<std::size_t>(pitch) * static_cast<std::size_t>(fold_rows + core_rows + 2 * room + band + 2);
 }
 
 }  // namespace adit

@@ -12,7 +12,11 @@ namespace adit::tools {
 [[nodiscard]] std::string_view gallery_page();
 /// Of `adit report`; @TITLE@, @CSS@, @JS@, @UPLOT_CSS@, @UPLOT_JS@ and @REPORT@ are to be filled in.
 [[nodiscard]] std::string_view report_page();
+/// Its script, in four parts that follow one another.
 [[nodiscard]] std::string_view report_js();
+[[nodiscard]] std::string_view report_charts_js();
+[[nodiscard]] std::string_view report_map_js();
+[[nodiscard]] std::string_view report_scrubber_js();
 /// How the pages of `adit report` and `adit view` look.
 [[nodiscard]] std::string_view look_css();
 /// third_party/uPlot.

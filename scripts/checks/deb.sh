@@ -2,8 +2,11 @@
 # Debian packages by cpack: accepted by lintian, installed and run in a clean debootstrap chroot (needs root).
 . "$(dirname "${BASH_SOURCE[0]}")/prelude.sh"
 
-build_preset release -DADIT_SIM=ON -DADIT_PYTHON=ON -DPython3_EXECUTABLE=/usr/bin/python3
-folder=build/release
+# A build of its own, without tests: cpack wants all of a build.
+folder=build/deb
+quietly deb-configure cmake --preset release -B "$folder" -DADIT_SIM=ON -DADIT_PYTHON=ON -DADIT_TESTS=OFF -DADIT_BENCH=OFF \
+  -DADIT_WERROR=ON -DPython3_EXECUTABLE=/usr/bin/python3
+quietly deb-build cmake --build "$folder" --parallel "$jobs"
 rm -f "$folder"/*.deb
 (umask 022 && cd "$folder" && cpack -G DEB) > build/cpack.log 2>&1 || { tail -n 40 build/cpack.log; exit 1; }
 mapfile -t packages < <(find "$folder" -maxdepth 1 -name '*.deb' | sort)

@@ -170,7 +170,8 @@ TEST(ShardedEval, GivesTheFiguresOfOneMachine) {
 }
 
 TEST(ShardedFlights, GiveTheTableOfOneMachine) {
-  if (run_adit({"fly", "--help"}).out.find("COURSE") == std::string::npos) GTEST_SKIP() << "this adit was built without the simulator";
+  if (run_adit({"fly", "--help"}).out.find("COURSE") == std::string::npos)
+    GTEST_SKIP() << "this adit was built without the simulator";
   const ScratchFolder folder;
   const auto adit = [&](const Arguments& arguments) { return run_adit(arguments, {.folder = folder.path()}); };
   write_text(folder / "tiny.yaml",

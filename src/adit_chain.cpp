@@ -26,7 +26,7 @@ std::int16_t weight_of(double elevation_rad, const FinderConfig& config) {
 /// The share of openings, sure not to be a wall, that are the right ones: some frames show two, or a recess that is
 /// as deep.
 constexpr double kConfidenceMax = 0.96;
-/// In rendered dust of 0.04 to 0.25 1/m, within 10 deg of the deepest direction.
+/// Less in dust: of 151 rendered frames 98 of 100 were hits (docs/method.md), but all of them were looked at.
 constexpr double kConfidenceInDust = 0.85;
 /// Rock that exceeds the veil by less than this in nine tenths of the frame is not seen: it is what the tone curve's
 /// rounding to whole levels makes of a smooth lobe.
@@ -39,6 +39,16 @@ constexpr double kNoiseAlone_stops = 0.3;
 constexpr double kVeilOffMin = 0.6;
 
 double confidence_of(double odds, double most) noexcept { return most / (1.0 + std::exp(-odds)); }
+
+bool hides_all_rock(const VeilSight& veil, const OpenSpace& out) noexcept {
+  return out.flags.dust && veil.rock_high < kNoRock;
+}
+
+void aim(Pixel centroid_px, const Camera& camera, Opening& to) noexcept {
+  to.centroid_px = centroid_px;
+  to.point = camera.normalised_of(centroid_px);
+  to.bearing = camera.bearing_of(centroid_px);
+}
 
 /// What the answer repeats of its best opening.
 void note_best(Rule rule, OpenSpace& out) noexcept {
@@ -119,7 +129,7 @@ void AditChain::find(const FinderConfig& config, const Camera& camera, OpenSpace
     out.status = Status::kTooDark;
     return;
   }
-  if (out.flags.dust && veil.rock_high < kNoRock) {
+  if (hides_all_rock(veil, out)) {
     out.status = veil.lobe_in_frame ? Status::kDust : Status::kBlockedLens;
     return;
   }
@@ -159,7 +169,7 @@ constexpr double kFaint_level = 24.0;
 void AditChain::note_flags(const FinderConfig& config, const VeilSight& veil, OpenSpace& out) const noexcept {
   out.veil_fraction = veil.fraction * std::min(1.0, kUndercutNoise * veil.undercut);
   out.flags.dust = out.veil_fraction >= config.dust_veil_min;
-  out.flags.blocked_lens = out.flags.dust && veil.rock_high < kNoRock && !veil.lobe_in_frame;
+  out.flags.blocked_lens = hides_all_rock(veil, out) && !veil.lobe_in_frame;
   out.flags.too_dark = out.atmospheric_light < kFaint_level;
   int saturated = 0;
   bool steep = false;
@@ -183,9 +193,7 @@ void AditChain::note_flags(const FinderConfig& config, const VeilSight& veil, Op
 /// In dust rims are soft, and where rock is near they are steepest: the middle of the air that is seen says more.
 void AditChain::note_way_through_dust(const Camera& camera, const VeilSight& veil, Opening& to) noexcept {
   const AirPlace air = veil_fit_.air_place(veil);
-  to.centroid_px = {grid_.u_px(air.u), grid_.v_px(air.v)};
-  to.point = camera.normalised_of(to.centroid_px);
-  to.bearing = camera.bearing_of(to.centroid_px);
+  aim({grid_.u_px(air.u), grid_.v_px(air.v)}, camera, to);
   to.top_left_px = {grid_.u_px(air.u - air.half_width), grid_.v_px(air.v - air.half_height)};
   to.bottom_right_px = {grid_.u_px(air.u + air.half_width), grid_.v_px(air.v + air.half_height)};
   to.area_fraction = (to.bottom_right_px.u_px - to.top_left_px.u_px + 1.0) *
@@ -232,10 +240,9 @@ void AditChain::note_openings(const FinderConfig& config, const Camera& camera, 
     if (odds < config.way_odds_min) continue;
     Opening& to = out.openings[static_cast<std::size_t>(out.opening_count++)];
     to.confidence = confidence_of(odds, out.flags.dust ? kConfidenceInDust : kConfidenceMax);
-    if (out.flags.dust) {
+    if (out.flags.dust) {  // the air has one middle, whatever the places of the search
       note_way_through_dust(camera, veil, to);
-      note_best(Rule::kVeil, out);
-      return;
+      break;
     }
     note_opening(from, camera, to);
   }
@@ -243,13 +250,12 @@ void AditChain::note_openings(const FinderConfig& config, const Camera& camera, 
     out.status = Status::kNoOpening;
     return;
   }
-  note_best(out.openings[0].touches_border ? Rule::kOpenSided : Rule::kEnclosed, out);
+  const Rule by_rim = out.openings[0].touches_border ? Rule::kOpenSided : Rule::kEnclosed;
+  note_best(out.flags.dust ? Rule::kVeil : by_rim, out);
 }
 
 void AditChain::note_opening(const Candidate& from, const Camera& camera, Opening& to) const noexcept {
-  to.centroid_px = {grid_.u_px(from.u), grid_.v_px(from.v)};
-  to.point = camera.normalised_of(to.centroid_px);
-  to.bearing = camera.bearing_of(to.centroid_px);
+  aim({grid_.u_px(from.u), grid_.v_px(from.v)}, camera, to);
   to.area_fraction = static_cast<double>(from.cells) / (static_cast<double>(grid_.width()) * grid_.height());
   to.score = std::min(1.0, from.strength / 4.0);
   to.contrast = 1.0 - std::exp2(-static_cast<double>(from.peak) / kStop);

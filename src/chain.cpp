@@ -29,12 +29,11 @@ Workspace::Workspace(const FinderConfig& config, const Camera* camera, int width
     adit.emplace(config, camera != nullptr ? *camera : assumed_camera, width, height);
     return;
   }
-  const std::size_t lines =
-      (static_cast<std::size_t>(width) * static_cast<std::size_t>(height) + sizeof(CacheLine) - 1) / sizeof(CacheLine);
+  const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   scratch.reserve(width, height, patch);
   scratch.reserve(width, height, element);
-  dark_pixels.resize(lines);
-  closed_pixels.resize(lines);
+  dark_pixels.reserve(pixels);
+  closed_pixels.reserve(pixels);
   columns.resize(static_cast<std::size_t>(width));
 }
 

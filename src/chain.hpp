@@ -1,7 +1,6 @@
 // What an OpenSpaceFinder owns: its configuration, its camera and the buffers for one size of frame.
 #pragma once
 
-#include <array>
 #include <new>
 #include <optional>
 #include <stdexcept>
@@ -11,21 +10,17 @@
 #include "adit/morphology.hpp"
 #include "adit/region.hpp"
 #include "adit_chain.hpp"
+#include "aligned_bytes.hpp"
 
 namespace adit {
-
-/// Pixels begin on a cache line: a vector that lies across two of them costs twice.
-struct alignas(64) CacheLine {
-  std::array<std::uint8_t, 64> bytes;
-};
 
 /// Buffers and elements for frames of one size. Made whole or not at all.
 struct Workspace {
   /// @param camera  the calibrated one, or null.
   Workspace(const FinderConfig& config, const Camera* camera, int width_px, int height_px);
 
-  [[nodiscard]] PlaneView dark() noexcept { return plane_in(dark_pixels); }
-  [[nodiscard]] PlaneView closed() noexcept { return plane_in(closed_pixels); }
+  [[nodiscard]] PlaneView dark() const noexcept { return plane_in(dark_pixels); }
+  [[nodiscard]] PlaneView closed() const noexcept { return plane_in(closed_pixels); }
 
   int width;
   int height;
@@ -33,16 +28,16 @@ struct Workspace {
   StructuringElement element;
   Camera assumed_camera;  ///< stands in where no calibration is given
   MorphologyScratch scratch;
-  std::vector<CacheLine> dark_pixels;
-  std::vector<CacheLine> closed_pixels;
+  AlignedBytes dark_pixels;
+  AlignedBytes closed_pixels;
   std::vector<std::uint32_t> columns;
   LevelTable transmission{};  ///< of the last frame, as is the next
   LevelTable depth{};
   std::optional<AditChain> adit;  ///< only for that method; it needs none of the planes above
 
  private:
-  [[nodiscard]] PlaneView plane_in(std::vector<CacheLine>& lines) noexcept {
-    return {lines.data()->bytes.data(), width, height, width};
+  [[nodiscard]] PlaneView plane_in(const AlignedBytes& pixels) const noexcept {
+    return {pixels.get(), width, height, width};
   }
 };
 

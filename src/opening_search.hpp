@@ -40,7 +40,8 @@ struct Candidates {
 
 /// The places of the map, the strongest first: cells about a peak with at least half its value, connected. Cells
 /// on the way down from a place belong to nobody else, so that the rim of one is not taken for another.
-/// @param map    not below 0; @param depth  the same size, not below 0: its squares weigh the cells of a centroid.
+/// @param map    not below 0; @param depth  the same size, not below 0: its fourth powers weigh the cells of a
+/// centroid.
 [[nodiscard]] Candidates search_openings(const CellPlane& map, const CellPlane& depth, SearchScratch& scratch) noexcept;
 
 }  // namespace adit

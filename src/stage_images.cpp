@@ -51,7 +51,7 @@ OpenSpace OpenSpaceFinder::explain(const ImageView& frame, StageImages& images) 
     chain_->workspace->adit->draw(images);
     return out;
   }
-  Workspace& work = *chain_->workspace;
+  const Workspace& work = *chain_->workspace;
   const std::vector<std::uint8_t> dark = pixels_of(work.dark());
   const std::vector<std::uint8_t> closed = pixels_of(work.closed());
   images.width = work.width;

@@ -22,6 +22,11 @@ std::vector<std::string> few_frames(const std::string& out, const std::vector<st
   return arguments;
 }
 
+/// Which column of the table has this name in its head.
+std::size_t column_of(const std::vector<std::string>& head, const char* name) {
+  return static_cast<std::size_t>(std::find(head.begin(), head.end(), name) - head.begin());
+}
+
 void expect_same_set(const std::filesystem::path& a, const std::filesystem::path& b) {
   EXPECT_EQ(read_text(a / "truth.csv"), read_text(b / "truth.csv"));
   for (const char* name : {"frames/000000.png", "frames/000002.png", "range/000001.png"}) {
@@ -38,9 +43,7 @@ TEST(Render, WritesFramesRangesAndTruth) {
   const auto rows = rows_of(read_text(folder / "set/truth.csv"));
   ASSERT_EQ(rows.size(), 4u);
   for (const auto& row : rows) EXPECT_EQ(row.size(), rows[0].size());
-  const auto column = [&](const char* name) {
-    return static_cast<std::size_t>(std::find(rows[0].begin(), rows[0].end(), name) - rows[0].begin());
-  };
+  const auto column = [&](const char* name) { return column_of(rows[0], name); };
   for (std::size_t i = 1; i < rows.size(); ++i) {
     const cv::Mat frame = cv::imread((folder / ("set/" + rows[i][column("image")])).string(), cv::IMREAD_UNCHANGED);
     cv::Mat range = cv::imread((folder / ("set/" + rows[i][column("range_image")])).string(), cv::IMREAD_UNCHANGED);
@@ -72,9 +75,7 @@ TEST(Render, LampsThatFlashMakePairsFromOnePlace) {
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const auto rows = rows_of(read_text(folder / "set/truth.csv"));
   ASSERT_EQ(rows.size(), 4u);
-  const auto cell = [&](std::size_t row, const char* name) {
-    return rows[row][static_cast<std::size_t>(std::find(rows[0].begin(), rows[0].end(), name) - rows[0].begin())];
-  };
+  const auto cell = [&](std::size_t row, const char* name) { return rows[row][column_of(rows[0], name)]; };
   EXPECT_EQ(cell(1, "x_m"), cell(2, "x_m"));
   EXPECT_NE(cell(1, "x_m"), cell(3, "x_m"));
   const auto mean_of = [&](const char* name) { return cv::mean(cv::imread((folder / name).string()))[1]; };

@@ -78,18 +78,15 @@ void Navigator::reset() noexcept {
   goal_rad_ = target_rad_ = rival_s_ = blocked_s_ = turned_rad_ = turn_sign_ = trust_ = 0.0;
 }
 
-Sight Navigator::look(const ImageView& frame) noexcept {
-  Sight sight;
-  sight.open_space = finder_.find(frame);
-  if (learns_lamp_ && is_usable(sight.open_space.status)) learn_lamp(frame);
-  return finish_look(frame, sight);
+Sight Navigator::look(const ImageView& frame) noexcept { return finish_look(frame, finder_.find(frame), true); }
+
+Sight Navigator::look(const ImageView& frame, StageImages& images) {
+  return finish_look(frame, finder_.explain(frame, images), true);
 }
 
 /// A lamp that blinks is not learnt: half of the frames do not show it.
 Sight Navigator::look_flash(const ImageView& frame, const ImageView& before) noexcept {
-  Sight sight;
-  sight.open_space = finder_.find_flash(frame, before);
-  return finish_look(frame, sight);
+  return finish_look(frame, finder_.find_flash(frame, before), false);
 }
 
 void Navigator::use_lamp(const LampPattern& known, bool learn) {
@@ -115,7 +112,10 @@ void Navigator::learn_lamp(const ImageView& frame) noexcept {
   if (lamp_->learn(glimpse)) finder_.set_lamp(lamp_->pattern());
 }
 
-Sight Navigator::finish_look(const ImageView& frame, Sight sight) noexcept {
+Sight Navigator::finish_look(const ImageView& frame, const OpenSpace& open_space, bool learn) noexcept {
+  Sight sight;
+  sight.open_space = open_space;
+  if (learn && learns_lamp_ && is_usable(open_space.status)) learn_lamp(frame);
   sight.profile = column_range_.measure(frame, memory_.veil_share());
   const Status stream = watch_.judge(frame);
   // What the frame alone shows to be wrong is the better name for it: a dead lamp's black frames are also all the same.

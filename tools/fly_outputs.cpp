@@ -10,6 +10,7 @@
 #include "adit/io/draw.hpp"
 #include "adit/io/errors.hpp"
 #include "adit/io/output_file.hpp"
+#include "adit/io/table.hpp"
 #include "csv_cell.hpp"
 
 namespace adit::tools {
@@ -69,7 +70,7 @@ cv::Mat mat_of(const ImageView& view) {
 
 std::string flight_csv_header() {
   return "frame,stamp_s,x_m,y_m,z_m,roll_deg,pitch_deg,yaw_deg,vx_m_s,vy_m_s,vz_m_s,height_m,delivery,status,"
-         "confidence,u_px,v_px,sx,sy,azimuth_deg,elevation_deg,area_fraction,command,yaw_rate_rad_s,speed_scale,"
+         "confidence,u_px,v_px,sx,sy,azimuth_deg,elevation_deg,area_fraction,flags,command,yaw_rate_rad_s,speed_scale,"
          "passage_azimuth_deg,passage_elevation_deg,deepest_azimuth_deg,deepest_elevation_deg,deepest_range_m,"
          "branch_azimuths_deg,opening_in_sight,clearance_m,side_clearance_m,aside_m,progress_m,to_goal_m\n";
 }
@@ -95,6 +96,8 @@ std::string flight_csv_line(const sim::FlightRow& row) {
   add_cell(line, found ? angle_deg(row.bearing.azimuth_rad) : no, 3);
   add_cell(line, found ? angle_deg(row.bearing.elevation_rad) : no, 3);
   add_cell(line, found ? row.area_fraction : no, 5);
+  line.append(",");
+  if (judged) line.append(io::flags_text(row.flags));
   line.append(",").append(to_string(row.command.state));
   add_cell(line, row.command.yaw_rate_rad_s, 5);
   add_cell(line, row.speed_scale, 3);
@@ -141,6 +144,10 @@ std::string summary_json(const sim::FlightSummary& s, const SummaryContext& cont
   json["false_stops"] = s.false_stops;
   json["missed_stops"] = s.missed_stops;
   json["real_time_factor"] = number(context.real_time_factor);
+  if (!context.changes.empty()) json["reproducible"] = false;
+  for (const SettingChange& change : context.changes)
+    json["settings_changed_in_flight"].push_back(
+        {{"stamp_s", number(change.stamp_s)}, {"setting", change.setting}, {"from", change.from}, {"to", change.to}});
   return json.dump(2) + "\n";
 }
 
@@ -195,6 +202,10 @@ void FlyOutputs::add(const sim::Flight& flight) {
   if (imu_) write_imu(*imu_, flight.imu_samples());
   if (scans_ && flight.scan()) write_scan(*scans_, *flight.scan());
   draw(flight);
+}
+
+void FlyOutputs::use(const sim::Flight& flight) {
+  explainer_ = OpenSpaceFinder(flight.settings().finder, flight.camera());
 }
 
 void FlyOutputs::commit(const sim::Flight& flight, const std::string& summary) {

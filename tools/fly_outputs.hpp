@@ -12,6 +12,7 @@
 #include "adit/io/video_file.hpp"
 #include "adit/sim/flight.hpp"
 #include "adit/sim/flight_summary.hpp"
+#include "setting_changes.hpp"
 
 namespace adit::tools {
 
@@ -30,7 +31,8 @@ struct SummaryContext {
   double speed_m_s = 0.0;
   double dust_1_m = 0.0;
   bool interrupted = false;
-  double real_time_factor = 0.0;  ///< flown seconds per second of the clock
+  double real_time_factor = 0.0;       ///< flown seconds per second of the clock
+  std::vector<SettingChange> changes;  ///< by hand, in flight (`--view`): it cannot be flown again
 };
 
 /// One JSON object, with the units in its keys. Numbers that do not exist are null.
@@ -48,6 +50,8 @@ class FlyOutputs {
 
   /// After each Flight::step().
   void add(const sim::Flight& flight);
+  /// After Flight::change(): pictures are explained by what judges from now on.
+  void use(const sim::Flight& flight);
   /// Everything appears. @throws io::OutputError
   void commit(const sim::Flight& flight, const std::string& summary);
 

@@ -35,7 +35,8 @@ SummaryContext context_of(const FlyWork& work, const FlySettings& s) {
           s.flight.flight.speed_m_s,
           static_cast<double>(s.rig.dust.extinction_1_m),
           false,
-          0.0};
+          0.0,
+          {}};
 }
 
 std::string shown(double value, const char* format) {
@@ -86,6 +87,7 @@ void print_flight(const Flown& flown) {
   std::printf("  found %s of the frames, jitter of sx %s, %d false stops, %d missed stops; %s times real time\n",
               shown(s.found_fraction, "%.3f").c_str(), shown(s.sx_jitter, "%.3f").c_str(), s.false_stops,
               s.missed_stops, shown(flown.context.real_time_factor, "%.2f").c_str());
+  if (const std::string note = note_of(flown.context.changes); !note.empty()) std::printf("  %s\n", note.c_str());
 }
 
 constexpr const char* kRunsHeader =
@@ -246,16 +248,24 @@ ExitCode fly_once(const FlyWork& work, const FlySettings& settings, const Site& 
     const auto frames =
         static_cast<std::int64_t>(std::ceil(settings.flight.flight.time_max_s * settings.flight.flight.camera_rate_hz));
     Progress progress(frames, "frames", work.quiet);
-    const Flown flown = fly(work, settings, flight, [&] {
+    std::vector<SettingChange> changes;
+    Flown flown = fly(work, settings, flight, [&] {
       if (outputs) outputs->add(flight);
       if (bag) bag->add(flight);
       if (report) report->add(flight);
 #ifdef ADIT_WITH_HTTP
-      if (view) view->add(flight);
+      if (view) {
+        view->add(flight);
+        const auto now = view->take_changes(flight);
+        if (!now.empty() && outputs) outputs->use(flight);
+        if (!now.empty() && report) report->use(flight);
+        changes.insert(changes.end(), now.begin(), now.end());
+      }
 #endif
       progress.show(flight.row().frame + 1);
     });
     progress.clear();
+    flown.context.changes = std::move(changes);
     if (bag) bag->commit();
     if (outputs) {
       outputs->commit(flight, summary_json(flown.summary, flown.context));

@@ -43,26 +43,18 @@ FrameLine::FrameLine(const LineSettings& settings, Receiver on_judged, Receiver 
 }
 
 void FrameLine::begin_source(bool is_sequence) {
-  while (!judging_.empty()) pop_judged();  // the controller belongs to the frames that went in under it
-  if (navigator_ && settings_.learn_lamp) settings_.lamp = navigator_->lamp();
-  controller_.reset();
-  navigator_.reset();
+  while (!judging_.empty()) pop_judged();  // the pilot belongs to the frames that went in under it
+  if (settings_.learn_lamp && is_pilots()) settings_.lamp = pilot_->lamp();
+  pilot_.reset();
   last_pixels_.release();
   if (!is_sequence) return;
-  if (settings_.configuration.finder.method == Method::kPaper) {
-    controller_.emplace(settings_.configuration.heading);
-    return;
-  }
-  const NavigatorConfig config = io::navigator_config_of(settings_.configuration);
-  navigator_ =
-      settings_.camera ? std::make_unique<Navigator>(config, *settings_.camera) : std::make_unique<Navigator>(config);
-  if (settings_.lamp || settings_.learn_lamp) {
-    navigator_->use_lamp(settings_.lamp.value_or(LampPattern{}), settings_.learn_lamp);
-  }
+  pilot_ = std::make_unique<SequencePilot>(settings_.configuration, settings_.camera);
+  if (settings_.lamp || settings_.learn_lamp)
+    pilot_->use_lamp(settings_.lamp.value_or(LampPattern{}), settings_.learn_lamp);
 }
 
 LampPattern FrameLine::lamp() const noexcept {
-  return navigator_ ? navigator_->lamp() : settings_.lamp.value_or(LampPattern{});
+  return is_pilots() ? *pilot_->lamp() : settings_.lamp.value_or(LampPattern{});
 }
 
 void FrameLine::push(io::Frame frame) {
@@ -90,9 +82,10 @@ void FrameLine::judge(FrameWork& work, int worker) {
   }
   const ImageView view = io::view_of(work.frame.pixels);
   OpenSpaceFinder& finder = finders_[static_cast<std::size_t>(worker)];
-  if (settings_.wants_panel || work.wants_shot) {
+  // Pairs have no pictures of stages of their own: those of the later frame are shown.
+  if (wants_stages(work) && (settings_.flash || !is_pilots())) {
     work.open_space = finder.explain(view, work.stages);
-  } else if (!navigator_ && !settings_.flash) {
+  } else if (!is_pilots() && !settings_.flash) {
     work.open_space = finder.find(view);
   }
   work.doubt = grey16_doubt(work.frame.pixels, settings_.configuration.finder.grey16_depth_bits);
@@ -104,11 +97,12 @@ void FrameLine::judge_in_order(FrameWork& work) {
   const cv::Mat before = std::exchange(last_pixels_, settings_.flash ? work.frame.pixels : cv::Mat());
   const ImageView view = io::view_of(work.frame.pixels);
   const bool is_pair = settings_.flash && !before.empty();
-  if (navigator_) {
-    const Sight sight = is_pair ? navigator_->look_flash(view, io::view_of(before)) : navigator_->look(view);
-    work.open_space = sight.open_space;
-    // A recording does not turn when it is told to: the camera is taken to stand, not to follow the commands.
-    work.command = navigator_->steer(sight, work.frame.stamp_s, {.yaw_rate_rad_s = 0.0, .speed_m_s = 0.0}).heading;
+  if (is_pilots()) {
+    StageImages* images = wants_stages(work) && !settings_.flash ? &work.stages : nullptr;
+    const Followed followed = is_pair ? pilot_->see_flash(view, io::view_of(before), work.frame.stamp_s)
+                                      : pilot_->see(view, work.frame.stamp_s, images);
+    work.open_space = followed.open_space;
+    work.command = followed.command;
   } else if (settings_.flash) {
     work.open_space = is_pair ? finders_.front().find_flash(view, io::view_of(before)) : finders_.front().find(view);
   }
@@ -116,13 +110,11 @@ void FrameLine::judge_in_order(FrameWork& work) {
 }
 
 void FrameLine::steer(FrameWork& work) {
-  if (navigator_) {
-    if (!work.open_space) work.command = navigator_->tick(work.frame.stamp_s).heading;
-  } else if (controller_ && work.open_space) {
-    work.command = controller_->update(*work.open_space, work.frame.stamp_s);
-  } else if (controller_) {
-    work.command = controller_->tick(work.frame.stamp_s);
-  } else if (work.open_space) {
+  if (pilot_ && !work.open_space) {
+    work.command = pilot_->miss(work.frame.stamp_s);
+  } else if (pilot_ && !pilot_->judges()) {
+    work.command = pilot_->follow(*work.open_space, work.frame.stamp_s).command;
+  } else if (!pilot_ && work.open_space) {
     work.command = steady_command(settings_.configuration.heading, *work.open_space);
   }
 }

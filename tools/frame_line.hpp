@@ -15,8 +15,8 @@
 #include "adit/heading.hpp"
 #include "adit/io/configuration.hpp"
 #include "adit/io/frame_source.hpp"
-#include "adit/navigator.hpp"
 #include "report_pictures.hpp"
+#include "sequence_pilot.hpp"
 #include "worker_pool.hpp"
 
 namespace adit::tools {
@@ -56,8 +56,7 @@ class FrameLine {
   using Receiver = std::function<void(FrameWork&)>;
   FrameLine(const LineSettings& settings, Receiver on_judged, Receiver on_drawn);
 
-  /// A new row of frames: steering starts afresh. A sequence is steered by the navigator, but for the method `paper`,
-  /// whose frames the published controller follows.
+  /// A new row of frames: steering starts afresh.
   void begin_source(bool is_sequence);
   /// Takes a frame in; hands others out to make room. Holds a few frames for each job, never more.
   void push(io::Frame frame);
@@ -78,10 +77,12 @@ class FrameLine {
   LineSettings settings_;
   Receiver on_judged_;
   Receiver on_drawn_;
-  std::vector<OpenSpaceFinder> finders_;         ///< one for each worker
-  std::optional<HeadingController> controller_;  ///< of a sequence, method `paper`
-  std::unique_ptr<Navigator> navigator_;         ///< of a sequence, other methods; without both frames are independent
-  cv::Mat last_pixels_;                          ///< of the frame judged last, for pairs
+  [[nodiscard]] bool is_pilots() const { return pilot_ && pilot_->judges(); }
+  [[nodiscard]] bool wants_stages(const FrameWork& work) const { return settings_.wants_panel || work.wants_shot; }
+
+  std::vector<OpenSpaceFinder> finders_;  ///< one for each worker
+  std::unique_ptr<SequencePilot> pilot_;  ///< of a sequence; without it frames are independent
+  cv::Mat last_pixels_;                   ///< of the frame judged last, for pairs
   std::size_t room_;
   std::int64_t pushed_ = 0;
   std::deque<Work> judging_;

@@ -7,6 +7,8 @@
 
 #include "adit/io/errors.hpp"
 #include "adit/io/settings.hpp"
+#include "adit/io/table.hpp"
+#include "adit/navigator.hpp"
 #include "version.hpp"
 
 namespace adit::tools {
@@ -19,18 +21,6 @@ double now_s() { return std::chrono::duration<double>(std::chrono::steady_clock:
 Json number_json(bool there, double value, double step) {
   if (!there || !std::isfinite(value)) return nullptr;
   return std::round(value / step) * step;
-}
-
-std::string flags_text(const SightFlags& flags) {
-  std::string text;
-  const std::pair<bool, const char*> all[] = {{flags.dust, "dust"},
-                                              {flags.glare, "glare"},
-                                              {flags.blocked_lens, "blocked_lens"},
-                                              {flags.too_dark, "too_dark"},
-                                              {flags.too_bright, "too_bright"}};
-  for (const auto& [up, name] : all)
-    if (up) text.append(text.empty() ? "" : "+").append(name);
-  return text;
 }
 
 std::string dumped(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
@@ -49,7 +39,8 @@ void LiveView::show(LiveFrame frame) {
   {
     const std::scoped_lock lock(mutex_);
     ++number_;
-    rows_.push_back({number_, shared->stamp_s, now_s() - began_s_, shared->open_space, shared->command, shared->pose});
+    rows_.push_back({number_, shared->stamp_s, now_s() - began_s_, shared->open_space, shared->command, shared->pose,
+                     shared->speed_scale});
     if (rows_.size() > kRowsKept) rows_.pop_front();
     newest_.swap(shared);
   }  // the old frame is let go of outside
@@ -66,6 +57,11 @@ std::optional<io::Configuration> LiveView::new_settings() {
 void LiveView::say(std::string line) {
   const std::scoped_lock lock(mutex_);
   line_ = std::move(line);
+}
+
+void LiveView::hold_settings() {
+  const std::scoped_lock lock(mutex_);
+  settable_ = false;
 }
 
 void LiveView::end() {
@@ -107,8 +103,9 @@ std::string LiveView::state_json(std::int64_t after) const {
                   number_json(found, o.bearing.azimuth_rad * kDegree, 1e-2),
                   number_json(steers, steers ? row.command->yaw_rate_rad_s : 0.0, 1e-4),
                   steers ? std::string(to_string(row.command->state)) : std::string(),
-                  flags_text(o.flags),
-                  number_json(true, static_cast<double>(o.total_ns) * 1e-6, 1e-3)};
+                  io::flags_text(o.flags),
+                  number_json(true, static_cast<double>(o.total_ns) * 1e-6, 1e-3),
+                  number_json(row.speed_scale.has_value(), row.speed_scale.value_or(0.0), 1e-3)};
     if (row.pose)
       cells.insert(cells.end(), {number_json(true, row.pose->x_m, 1e-3), number_json(true, row.pose->y_m, 1e-3),
                                  number_json(true, row.pose->yaw_rad, 1e-4)});
@@ -165,14 +162,18 @@ io::Configuration LiveView::configuration() const {
 }
 
 std::string LiveView::change(const std::string& assignment) {
-  const std::scoped_lock lock(mutex_);
-  if (!settable_) return "the settings of this view cannot be changed";
-  io::Configuration changed = configuration_;
+  const std::scoped_lock one_by_one(change_mutex_);
+  io::Configuration changed = configuration();
   try {
     io::set_field(assignment, changed);
+    (void)Navigator(io::navigator_config_of(changed));
   } catch (const io::ConfigError& e) {
     return e.what();
+  } catch (const std::invalid_argument& e) {  // of several fields together
+    return e.what();
   }
+  const std::scoped_lock lock(mutex_);
+  if (!settable_) return "the settings of this view cannot be changed";
   configuration_ = changed;
   changed_ = true;
   return "";

@@ -31,6 +31,7 @@ struct LiveFrame {
   OpenSpace open_space;
   std::optional<HeadingCommand> command;
   std::optional<LivePose> pose;
+  std::optional<double> speed_scale;  ///< share of the wanted speed; the published controller knows none
 };
 
 /// A picture of the ground, made by somebody who knows it.
@@ -51,6 +52,8 @@ class LiveView {
   [[nodiscard]] std::optional<io::Configuration> new_settings();
   /// A line for people: how it goes, or ended.
   void say(std::string line);
+  /// From now on the settings stay as they are.
+  void hold_settings();
   /// No frame will come any more, and none is to be waited for.
   void end();
 
@@ -65,7 +68,8 @@ class LiveView {
   [[nodiscard]] std::string settings_json() const;
   [[nodiscard]] std::string settings_yaml() const;
   [[nodiscard]] io::Configuration configuration() const;
-  /// "section.name=value". Returns why it is refused, "" when it is taken.
+  /// "section.name=value". Returns why it is refused, "" when it is taken: perception is never given settings that it
+  /// cannot work with. Perception is not waited for, nor does it wait.
   [[nodiscard]] std::string change(const std::string& assignment);
   [[nodiscard]] const LivePlan& plan() const noexcept { return plan_; }
 
@@ -77,9 +81,11 @@ class LiveView {
     OpenSpace open_space;
     std::optional<HeadingCommand> command;
     std::optional<LivePose> pose;
+    std::optional<double> speed_scale;
   };
   static constexpr std::size_t kRowsKept = 3600;  ///< two minutes at 30 Hz
 
+  std::mutex change_mutex_;  ///< one change after the other; taken before mutex_
   mutable std::mutex mutex_;
   std::condition_variable arrived_;
   std::string source_, line_;

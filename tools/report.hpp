@@ -9,6 +9,7 @@
 
 #include "report_pictures.hpp"
 #include "report_table.hpp"
+#include "setting_changes.hpp"
 
 namespace adit::tools {
 
@@ -34,6 +35,7 @@ struct Report {
   std::optional<ReportMap> map;
   std::vector<std::pair<std::string, std::string>> figures;  ///< name and value, of the whole run
   std::vector<std::string> notes;                            ///< what is missing, and why
+  std::vector<SettingChange> changes;                        ///< by hand, in flight
   ReportOrigin origin;
 };
 

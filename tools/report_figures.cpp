@@ -40,6 +40,7 @@ NamedFigures flight_figures(const std::string& summary_json) {
   const Json json = Json::parse(summary_json, nullptr, false);
   if (!json.is_object()) return figures;
   for (const auto& [key, value] : json.items()) {
+    if (value.is_array()) continue;  // told as events
     const auto [name, unit] = named(key);
     if (value.is_object()) {
       for (const auto& [inner, number] : value.items())

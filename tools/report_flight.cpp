@@ -12,6 +12,10 @@ FlightReport::FlightReport(const sim::Flight& flight, ReportOrigin origin)
   report_.origin = std::move(origin);
 }
 
+void FlightReport::use(const sim::Flight& flight) {
+  explainer_ = OpenSpaceFinder(flight.settings().finder, flight.camera());
+}
+
 void FlightReport::add(const sim::Flight& flight) {
   const auto row = static_cast<std::int64_t>(report_.table.size());
   report_.table.add(csv_cells_of(flight_csv_line(flight.row())));
@@ -26,6 +30,7 @@ void FlightReport::write(const std::filesystem::path& path, const sim::Flight& f
                          const std::string& summary) {
   report_.title = title;
   report_.figures = flight_figures(summary);
+  report_.changes = changes_in(summary);
   add_figures_of_table(report_.table, report_.figures);
   const sim::OccupancyPicture map = flight.map().picture();
   if (const auto png = map_png(map); !png.empty())

@@ -15,6 +15,8 @@ class FlightReport {
 
   /// After each Flight::step().
   void add(const sim::Flight& flight);
+  /// After Flight::change(): pictures are explained by what judges from now on.
+  void use(const sim::Flight& flight);
   /// @param summary  as summary_json() has it. @throws io::OutputError
   void write(const std::filesystem::path& path, const sim::Flight& flight, const std::string& title,
              const std::string& summary);

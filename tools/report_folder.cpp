@@ -155,7 +155,9 @@ Report report_of_folder(const fs::path& folder, const std::function<void(std::in
     } else {
       report.notes.push_back("There is no film in the folder: fly with --video, or with --report, to see the frames.");
     }
-    report.figures = flight_figures(text_of(folder / "summary.json"));
+    const std::string summary = text_of(folder / "summary.json");
+    report.figures = flight_figures(summary);
+    report.changes = changes_in(summary);
   } else {
     add_sources(report, folder, on_frame);
   }

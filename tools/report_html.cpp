@@ -1,4 +1,5 @@
 // A report as one HTML file: columns as packed arrays, pictures as JPEG, all in base64.
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -13,6 +14,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kEventsMax = 2000;  ///< more make the page slow, and nobody reads them
+constexpr double kStampStep_s = 1e-4;     ///< of stamps in flight.csv
 
 template <class Value>
 std::string packed(const std::vector<Value>& values) {
@@ -32,8 +34,21 @@ Json pictures_json(const ThinnedPictures& thinned) {
   return {{"rows", rows}, {"offsets", offsets}, {"jpeg", text}};
 }
 
-Json events_json(const ReportTable& table, std::size_t& left_out) {
-  const std::vector<ReportEvent> events = events_of(table);
+/// Each at the first row that was judged with it.
+void add_changes(const Report& report, std::vector<ReportEvent>& events) {
+  const std::vector<double>& time_s = report.table.time_s();
+  for (const SettingChange& change : report.changes) {
+    const auto row = static_cast<std::size_t>(
+        std::lower_bound(time_s.begin(), time_s.end(), change.stamp_s - kStampStep_s) - time_s.begin());
+    if (row < time_s.size()) events.push_back({row, row, "setting", text_of(change)});
+  }
+  std::stable_sort(events.begin(), events.end(),
+                   [](const ReportEvent& a, const ReportEvent& b) { return a.first < b.first; });
+}
+
+Json events_json(const Report& report, std::size_t& left_out) {
+  std::vector<ReportEvent> events = events_of(report.table);
+  add_changes(report, events);
   left_out = events.size() > kEventsMax ? events.size() - kEventsMax : 0;
   Json json = Json::array();
   for (std::size_t i = 0; i < events.size() - left_out; ++i)
@@ -64,11 +79,12 @@ Json json_of(const Report& report) {
                    {"y_min_m", report.map->y_min_m},
                    {"cell_m", report.map->cell_m}};
   std::size_t left_out = 0;
-  json["events"] = events_json(table, left_out);
+  json["events"] = events_json(report, left_out);
   json["events_left_out"] = left_out;
   json["figures"] = Json::array();
   for (const auto& [name, value] : report.figures) json["figures"].push_back({name, value});
   json["notes"] = report.notes;
+  if (const std::string note = note_of(report.changes); !note.empty()) json["notes"].push_back(note);
   json["origin"] = {{"version", report.origin.version},
                     {"command", report.origin.command},
                     {"changed", report.origin.changed},

@@ -11,6 +11,7 @@
 #include "finder_options.hpp"
 #include "interrupt.hpp"
 #include "progress.hpp"
+#include "sequence_pilot.hpp"
 #include "subcommands.hpp"
 #include "view_replay.hpp"
 #include "view_server.hpp"
@@ -49,13 +50,14 @@ class Watch {
 
  private:
   void use(const io::Configuration& configuration) {
+    configuration_ = configuration;
     finder_.emplace(make_finder(configuration.finder, camera_));
-    controller_.emplace(configuration.heading);
+    pilot_.emplace(configuration, camera_);
   }
 
   void take(io::FrameSource& source) {
     const bool is_camera = options_->input.starts_with("/dev/");  // it keeps time itself
-    controller_->reset();
+    pilot_.emplace(configuration_, camera_);
     const auto begin = Clock::now();
     while (!is_interrupted()) {
       auto frame = source.next();
@@ -71,10 +73,12 @@ class Watch {
       if (!is_camera)
         wait_until(begin + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(frame->stamp_s)));
       if (const auto changed = live_->new_settings()) use(*changed);
-      const OpenSpace seen = finder_->find(io::view_of(frame->pixels));
-      const HeadingCommand command = controller_->update(seen, frame->stamp_s);
+      const ImageView view = io::view_of(frame->pixels);
+      const Followed now =
+          pilot_->judges() ? pilot_->see(view, frame->stamp_s) : pilot_->follow(finder_->find(view), frame->stamp_s);
       ++judged_;
-      live_->show({std::move(frame->pixels), cv::Mat(), frame->stamp_s, seen, command, std::nullopt});
+      live_->show({std::move(frame->pixels), cv::Mat(), frame->stamp_s, now.open_space, now.command, std::nullopt,
+                   now.speed_scale});
     }
   }
 
@@ -87,8 +91,9 @@ class Watch {
   const Options* options_;
   LiveView* live_;
   std::optional<Camera> camera_;
+  io::Configuration configuration_;
   std::optional<OpenSpaceFinder> finder_;
-  std::optional<HeadingController> controller_;
+  std::optional<SequencePilot> pilot_;
   std::int64_t judged_ = 0;
 };
 

@@ -71,7 +71,9 @@ LivePlan plan_of(const sim::World& world) {
 
 FlightView::FlightView(const std::string& name, const FlySettings& settings, const sim::World& world,
                        const ViewAddress& address)
-    : live_("flight of " + name, configuration_of(settings.flight), false, plan_of(world)), server_(live_, address) {
+    : flown_(configuration_of(settings.flight)),
+      live_("flight of " + name, flown_, true, plan_of(world)),
+      server_(live_, address) {
   std::printf("%s\n", server_.address().c_str());
   std::fflush(stdout);
   print_line("open the address in a browser, end with Ctrl-C");
@@ -82,11 +84,25 @@ void FlightView::add(const sim::Flight& flight) {
   if (flight.frame().data == nullptr) return;
   const sim::FlightRow& row = flight.row();
   live_.show({mat_of(flight.frame()).clone(), cv::Mat(), row.stamp_s, flight.open_space(), row.command,
-              LivePose{row.vehicle.place.x(), row.vehicle.place.y(), row.vehicle.yaw_rad}});
+              LivePose{row.vehicle.place.x(), row.vehicle.place.y(), row.vehicle.yaw_rad}, row.speed_scale});
+}
+
+std::vector<SettingChange> FlightView::take_changes(sim::Flight& flight) {
+  const auto wanted = live_.new_settings();
+  if (!wanted) return {};
+  std::vector<SettingChange> changes = changes_between(flown_, *wanted, flight.time_s());
+  if (changes.empty()) return {};  // changed there and back
+  flight.change(io::navigator_config_of(*wanted));
+  flown_ = *wanted;
+  changes_.insert(changes_.end(), changes.begin(), changes.end());
+  live_.say("flying. " + note_of(changes_));
+  return changes;
 }
 
 void FlightView::stay(const std::string& line) {
-  live_.say(line);
+  live_.hold_settings();
+  const std::string note = note_of(changes_);
+  live_.say(note.empty() ? line : line + ". " + note);
   while (!is_interrupted()) std::this_thread::sleep_for(std::chrono::milliseconds(50));
 }
 

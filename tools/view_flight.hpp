@@ -5,6 +5,7 @@
 
 #include "adit/sim/flight.hpp"
 #include "fly_setup.hpp"
+#include "setting_changes.hpp"
 #include "view_server.hpp"
 
 namespace adit::tools {
@@ -16,10 +17,14 @@ class FlightView {
 
   /// After each Flight::step().
   void add(const sim::Flight& flight);
+  /// What viewers have changed since the last call goes into the flight, from its next frame on. Returns what it was.
+  [[nodiscard]] std::vector<SettingChange> take_changes(sim::Flight& flight);
   /// Says how it ended and keeps the page until Ctrl-C.
   void stay(const std::string& line);
 
  private:
+  io::Configuration flown_;
+  std::vector<SettingChange> changes_;
   LiveView live_;
   ViewServer server_;
 };

@@ -19,7 +19,15 @@ using Clock = std::chrono::steady_clock;
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
-/// What a row of flight.csv says.
+/// The other way round than io::flags_text().
+SightFlags flags_of(const std::string& text) {
+  const auto has = [words = "+" + text + "+"](const char* name) {
+    return words.find(std::string("+").append(name).append("+")) != std::string::npos;
+  };
+  return {has("dust"), has("glare"), has("blocked_lens"), has("too_dark"), has("too_bright")};
+}
+
+/// What a row of flight.csv says. Folders of before lack some columns.
 class FlightRows {
  public:
   explicit FlightRows(const fs::path& path) : table_(path) {}
@@ -33,15 +41,18 @@ class FlightRows {
     OpenSpace& o = frame.open_space;
     if (!parse(text(row, "status"), o.status)) o.status = Status::kBadFrame;  // dropped: there was no frame
     const auto known = [](double value) { return std::isfinite(value) ? value : 0.0; };
-    o.confidence = known(number(row, "confidence"));
+    o.confidence = number(row, "confidence");  // of a dropped frame there is none
     o.centroid_px = {known(number(row, "u_px")), known(number(row, "v_px"))};
     o.point = {known(number(row, "sx")), known(number(row, "sy"))};
     o.bearing = {known(number(row, "azimuth_deg")) * kDegree, known(number(row, "elevation_deg")) * kDegree};
+    if (const auto flags = table_.column("flags")) o.flags = flags_of(table_.text(row, *flags));
     HeadingCommand command;
     for (const HeadingState state : {HeadingState::kSteer, HeadingState::kCoast, HeadingState::kHold})
       if (to_string(state) == text(row, "command")) command.state = state;
     command.yaw_rate_rad_s = known(number(row, "yaw_rate_rad_s"));
     frame.command = command;
+    if (const double share = table_.number(row, table_.column("speed_scale")); std::isfinite(share))
+      frame.speed_scale = share;
     frame.pose = LivePose{number(row, "x_m"), number(row, "y_m"), number(row, "yaw_deg") * kDegree};
     return frame;
   }

@@ -85,6 +85,8 @@ class Navigator {
   [[nodiscard]] Sight look(const ImageView& frame) noexcept;
   /// The same of a pair of frames, lamp on and lamp off, `frame` the later one.
   [[nodiscard]] Sight look_flash(const ImageView& frame, const ImageView& before) noexcept;
+  /// As look(), and the pictures of its stages. Allocates. @throws std::bad_alloc
+  [[nodiscard]] Sight look(const ImageView& frame, StageImages& images);
 
   /// Judges by what is known of the vehicle's lamp (lamp.hpp), and goes on learning it if asked. Method `adit`.
   /// @throws std::invalid_argument for a pattern that is none.
@@ -117,7 +119,7 @@ class Navigator {
   double speed_scale() const noexcept;
   double free_ahead_m() const noexcept;
 
-  Sight finish_look(const ImageView& frame, Sight sight) noexcept;
+  Sight finish_look(const ImageView& frame, const OpenSpace& open_space, bool learn) noexcept;
   void learn_lamp(const ImageView& frame) noexcept;
 
   NavigatorConfig config_;

@@ -22,20 +22,6 @@ double degrees(double angle_rad) { return angle_rad * 180.0 / std::numbers::pi; 
 /// Was the picture looked at, so that its levels are known?
 bool is_judged(const OpenSpace& o) { return o.status != Status::kBadFrame && o.status != Status::kWrongSize; }
 
-/// Those that are up, joined with a plus: "dust+glare".
-std::string flags_text(const SightFlags& flags) {
-  std::string text;
-  const auto add = [&text](bool up, const char* name) {
-    if (up) text.append(text.empty() ? "" : "+").append(name);
-  };
-  add(flags.dust, "dust");
-  add(flags.glare, "glare");
-  add(flags.blocked_lens, "blocked_lens");
-  add(flags.too_dark, "too_dark");
-  add(flags.too_bright, "too_bright");
-  return text;
-}
-
 std::string fixed_text(double value, int digits) {
   char text[64];
   const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, digits).ptr;
@@ -130,6 +116,19 @@ std::string text_of(const Cell& cell, std::string (*quote)(std::string_view)) {
 }
 
 }  // namespace
+
+std::string flags_text(const SightFlags& flags) {
+  std::string text;
+  const auto add = [&text](bool up, const char* name) {
+    if (up) text.append(text.empty() ? "" : "+").append(name);
+  };
+  add(flags.dust, "dust");
+  add(flags.glare, "glare");
+  add(flags.blocked_lens, "blocked_lens");
+  add(flags.too_dark, "too_dark");
+  add(flags.too_bright, "too_bright");
+  return text;
+}
 
 std::string csv_header(bool timing) {
   std::string line;

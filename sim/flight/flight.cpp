@@ -97,17 +97,42 @@ Flight::Flight(const FlightSettings& settings, const World& world, const RayScen
       physics_steps_(static_cast<int>(std::ceil(settings.flight.physics_rate_hz / settings.flight.camera_rate_hz))) {
   physics_step_s_ = 1.0 / (settings_.flight.camera_rate_hz * physics_steps_);
   if (!network_.empty()) start_ = network_.nearest(vehicle_.state().place);
-  if (is_published(settings)) {
-    finder_.emplace(settings.finder, eye.camera());
-    controller_.emplace(settings.heading);
-  } else {
-    navigator_.emplace(NavigatorConfig{settings.finder, settings.heading, settings.column_range, settings.range_memory,
-                                       settings.tracker, settings.steering, settings.frame_watch},
-                       eye.camera());
-  }
+  engage(settings);
 }
 
 Flight::~Flight() = default;
+
+/// All is made before anything is replaced.
+void Flight::engage(const FlightSettings& s) {
+  if (is_published(s)) {
+    OpenSpaceFinder finder(s.finder, eye_->camera());
+    const HeadingController controller(s.heading);
+    finder_.emplace(std::move(finder));
+    controller_.emplace(controller);
+    navigator_.reset();
+    speed_scale_ = 1.0;
+  } else {
+    Navigator navigator({s.finder, s.heading, s.column_range, s.range_memory, s.tracker, s.steering, s.frame_watch},
+                        eye_->camera());
+    navigator_.emplace(std::move(navigator));
+    speed_scale_ = 0.0;  // until it has said
+    finder_.reset();
+    controller_.reset();
+  }
+}
+
+void Flight::change(const NavigatorConfig& config) {
+  FlightSettings changed = settings_;
+  changed.finder = config.finder;
+  changed.heading = config.heading;
+  changed.column_range = config.column_range;
+  changed.range_memory = config.range_memory;
+  changed.tracker = config.tracker;
+  changed.steering = config.steering;
+  changed.frame_watch = config.frame_watch;
+  engage(changed);
+  settings_ = changed;
+}
 
 bool Flight::step() {
   if (outcome_) return false;
@@ -159,6 +184,7 @@ void Flight::take_frame() {
   row_.point = open_space_.point;
   row_.bearing = open_space_.bearing;
   row_.area_fraction = open_space_.area_fraction;
+  row_.flags = open_space_.flags;
   on_the_way_.push_back({time_s_, false, sight, {vehicle_.state().yaw_rate_rad_s, speed_m_s()}});
 }
 

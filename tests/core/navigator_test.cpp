@@ -263,5 +263,19 @@ TEST(Navigator, ConfigurationsAreRefusedByName) {
   EXPECT_THROW(Navigator{config}, std::invalid_argument);
 }
 
+TEST(Navigator, ExplainsAFrameAndAnswersAsWithoutExplaining) {
+  const LitPlan plan = s_bend();
+  Navigator plain, explained;
+  for (int i = 0; i < 5; ++i) {
+    const auto frame = plan.seen_from({i * 0.1, 0.2, 0.05}, static_cast<unsigned>(i), 160, 120);
+    StageImages images;
+    const Sight a = plain.look(frame.view()), b = explained.look(frame.view(), images);
+    EXPECT_EQ(images.closing_level.size(), 160u * 120u);
+    EXPECT_EQ(a.open_space.status, b.open_space.status);
+    EXPECT_EQ(a.open_space.point.sx, b.open_space.point.sx);
+    EXPECT_EQ(a.profile.range_m, b.profile.range_m);
+  }
+}
+
 }  // namespace
 }  // namespace adit

@@ -3,6 +3,7 @@ import { after, before, test } from "node:test";
 import assert from "node:assert/strict";
 import http from "node:http";
 import net from "node:net";
+import { copyFileSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { barriers, closeBrowser, drawnShare, isWiderThanScreen, openBrowser, openPage, run, scratch, serve, source, until }
   from "./browser.mjs";
@@ -77,6 +78,18 @@ test("settings hold from the next frame on and are saved as YAML", async () => {
   assert.deepEqual(page.faults.filter(text => !/400/.test(text)), []);
   await page.context().close();
   assert.equal((await view.end()).code, 0);
+});
+
+test("a camera that sends the same frame for ever is told, as adit run tells it", async () => {
+  const at = scratch();
+  for (let i = 0; i < 12; ++i) copyFileSync(join(source, "data/tunnel.jpg"), join(at.folder, `${i + 10}.jpg`));
+  const view = await serve("view", at.folder, "--method", "adit", "--fps", "10", "--loop");
+  const page = await openPage(view.address);
+  await until(async () => await page.locator("#status").textContent() === "frozen_frame", "it is frozen");
+  assert.match(await run("run", at.folder, "--sequence", "--method", "adit", "--csv", "-", "--quiet"), /,frozen_frame,/);
+  await page.context().close();
+  assert.equal((await view.end()).code, 0);
+  at.remove();
 });
 
 test("fits a narrow phone and is open to screen readers and keyboards (axe-core)", async () => {
@@ -175,10 +188,46 @@ test("a flight is seen while it is flown, from above too", async () => {
   await until(async () => await drawnShare(page, "#plan") > 0.01, "the world is drawn");
   await until(() => page.evaluate(() => document.getElementById("stream").naturalWidth > 0), "a picture comes");
   await until(async () => /s_bend.*timeout/.test(await page.locator("#line").textContent()), "it says how it ended", 120);
-  assert.equal(await page.locator("#settings-section").isVisible(), false);
+  await until(() => page.getByLabel("cluster_count").isDisabled(), "what is over is not to be changed");
   assert.deepEqual(page.faults, []);
   await page.context().close();
   assert.equal((await view.end()).code, 0);
+});
+
+test("settings changed in flight hold from the next frame on, and the flight says that it cannot be repeated", async () => {
+  const at = scratch(), folder = join(at.folder, "bend"), whole = join(at.folder, "page.html");
+  const small = ["--set", "lens.width=160", "--set", "lens.height=120"];
+  const view = await serve("fly", "s_bend", "--time", "20", "--method", "paper", ...small, "--view", "--out", folder,
+    "--report", whole);
+  const page = await openPage(view.address);
+  await until(async () => (await state(view.address)).frames > 0, "it flies", 60);
+  await page.locator("[id='finder.method']").selectOption("adit");
+  await until(async () => /method is adit/.test(await page.locator("#said").textContent()), "it is taken");
+  assert.match((await ask(view.address, "/settings.yaml")).text, /^  method: adit$/m);
+  await until(async () => /finder.method paper → adit/.test(await page.locator("#line").textContent()), "the page says so");
+  await until(async () => /s_bend.*(timeout|goal|touched|collided)/.test(await page.locator("#line").textContent()), "it ends", 120);
+  assert.match(await page.locator("#line").textContent(), /does not fly it again.*finder\.method paper → adit/);
+  await page.context().close();
+  assert.equal((await view.end()).code, 0);
+  const summary = JSON.parse(readFileSync(join(folder, "summary.json"), "utf8"));
+  assert.equal(summary.reproducible, false);
+  const [change] = summary.settings_changed_in_flight;
+  assert.deepEqual([change.setting, change.from, change.to], ["finder.method", "paper", "adit"]);
+  // The published controller knows no share of speed below 1; the navigator begins from rest.
+  const [head, ...rows] = readFileSync(join(folder, "flight.csv"), "utf8").trim().split("\n").map(line => line.split(","));
+  const shareAt = head.indexOf("speed_scale"), stampAt = head.indexOf("stamp_s");
+  const before = rows.filter(row => Number(row[stampAt]) < change.stamp_s - 1e-3);
+  assert.ok(before.length > 0 && before.every(row => Number(row[shareAt]) === 1));
+  assert.ok(rows.slice(before.length, before.length + 10).some(row => Number(row[shareAt]) < 1));
+  await run("report", folder, "--quiet");
+  for (const file of [whole, join(folder, "report.html")]) {
+    const report = await openPage("file://" + file);
+    assert.match(await report.locator("#notes").textContent(), /does not fly it again/);
+    assert.match(await report.locator("#events").textContent(), /setting.*finder\.method paper → adit/);
+    assert.deepEqual(report.faults, []);
+    await report.context().close();
+  }
+  at.remove();
 });
 
 test("a flight in a folder is played again, with its map", async () => {
@@ -189,6 +238,7 @@ test("a flight in a folder is played again, with its map", async () => {
   await until(async () => await page.locator("#status").textContent() === "found", "the gauges move");
   await until(() => page.evaluate(() => document.getElementById("stream").naturalWidth > 0), "a picture comes");
   await until(async () => await drawnShare(page, "#plan") > 0.01, "the map is drawn");
+  await until(async () => await page.locator("#speed").textContent() === "100 %", "the share of speed is shown");
   assert.equal(await page.locator("#settings-section").isVisible(), false);
   assert.deepEqual(page.faults, []);
   await page.context().close();

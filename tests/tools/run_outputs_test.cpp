@@ -32,6 +32,19 @@ TEST(RunOutputs, VideoShowsFrameAndDepthSideBySide) {
   }
 }
 
+/// What is drawn is what the table says: pictures of a sequence's stages come from the pilot's own judgement.
+TEST(RunOutputs, PicturesDoNotChangeTheTableOfASequence) {
+  const ScratchFolder folder;
+  const std::string clip = make_clip(folder / "c.avi", 8);
+  for (const std::string method : {"paper", "adit"}) {
+    const Outcome plain = run_adit({"run", clip, "--method", method, "--csv", "-", "--quiet"});
+    const Outcome drawn = run_adit({"run", clip, "--method", method, "--csv", "-", "--quiet", "--video",
+                                    (folder / "v.mp4").string(), "--report", (folder / "r.html").string()});
+    EXPECT_EQ(plain.exit_code, 0) << plain.err;
+    EXPECT_EQ(plain.out, drawn.out);
+  }
+}
+
 TEST(RunOutputs, FramesAreNumberedAndNamedAfterTheirSource) {
   const ScratchFolder folder;
   const std::string passages = make_passages(folder / "p", 3);

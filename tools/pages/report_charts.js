@@ -1,14 +1,15 @@
 // Charts over time, linked to the scrubber. Follows report.js in one script.
 // --- charts
+const share = [-0.04, 1.04];  // a line at 0 or 1 is not to lie on the frame
 const plots = [], series = (label, name, stroke, extra = {}) => ({ label, name, stroke, ...extra });
 const groups = [
-  ["sx and sy: right and down of the axis", [series("sx", "sx", "#35a4ff"), series("sy", "sy", "#ff9f40")]],
-  ["Azimuth, degrees, positive to the right", [series("answer", "azimuth_deg", "#35a4ff"),
-    series("passage 5 m ahead", "passage_azimuth_deg", "#9aa2ad", { dash: [6, 4] })]],
-  ["Confidence", [series("confidence", "confidence", "#2fb457"), series("veil", "veil_fraction", "#c79bff")], [0, 1]],
-  ["Yaw rate, rad/s, positive to the left", [series("yaw rate", "yaw_rate_rad_s", "#2fb457")]],
-  ["Speed, share of what is set", [series("speed", "speed_scale", "#c79bff")], [0, 1]],
-  ["Side clearance, m", [series("side clearance", "side_clearance_m", "#ff6b81")]],
+  ["sx and sy: right and down of the axis", [series("sx", "sx", "--blue"), series("sy", "sy", "--orange")]],
+  ["Azimuth, degrees, positive to the right", [series("answer", "azimuth_deg", "--blue"),
+    series("passage 5 m ahead", "passage_azimuth_deg", "--grey", { dash: [6, 4] })]],
+  ["Confidence", [series("confidence", "confidence", "--green"), series("veil", "veil_fraction", "--violet")], share],
+  ["Yaw rate, rad/s, positive to the left", [series("yaw rate", "yaw_rate_rad_s", "--green")]],
+  ["Speed, share of what is set", [series("speed", "speed_scale", "--violet")], share],
+  ["Side clearance, m", [series("side clearance", "side_clearance_m", "--red")]],
 ];
 function makeCharts() {
   for (const plot of plots.splice(0)) plot.destroy();
@@ -26,12 +27,12 @@ function makeCharts() {
     $("charts").append(box);
     const axis = { stroke: colour("--faint"), grid: { stroke: colour("--line"), width: 1 }, ticks: { stroke: colour("--line") } };
     const plot = new uPlot({
-      width, height: 150, legend: { live: true },
+      width, height: 140, legend: { live: true },
       scales: { x: { time: false }, y: range ? { range } : { range: spread } },
       cursor: { sync: { key: sync.key, setSeries: false }, drag: { x: true, y: false } },
-      axes: [{ ...axis, values: (u, ticks) => ticks.map(t => t + " s") }, { ...axis, size: 56 }],
+      axes: [{ ...axis, size: 30, values: (u, ticks) => ticks.map(t => t + " s") }, { ...axis, size: 56 }],
       series: [{ label: "time", value: (u, v) => v == null ? "" : v.toFixed(2) + " s" },
-        ...there.map(s => ({ label: s.label, stroke: s.stroke, width: 1.25, dash: s.dash, spanGaps: false,
+        ...there.map(s => ({ label: s.label, stroke: colour(s.stroke), width: 1.25, dash: s.dash, spanGaps: false,
           points: { show: false }, value: (u, v) => shown(v, 3) }))],
       hooks: { ready: [u => {
         u.now = document.createElement("div");

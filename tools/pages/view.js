@@ -30,7 +30,7 @@ document.addEventListener("visibilitychange", () => { if (!paused) stream(); });
 function gauges() {
   const row = rows[rows.length - 1];
   $("rate").textContent = shown(state.rate_hz, 0);
-  $("find").textContent = shown(state.find_ms_max, 2) + " ms";
+  $("find").textContent = state.find_ms_max > 0 ? shown(state.find_ms_max, 2) + " ms" : "–";  // a replay judges nothing
   if (!row) return;
   $("status").textContent = row.status;
   $("status").className = row.status === "found" ? "good" : "bad";
@@ -38,6 +38,7 @@ function gauges() {
   $("azimuth").textContent = row.azimuth == null ? "–" : shown(row.azimuth, 1) + "°";
   $("yaw").textContent = row.yaw_rate == null ? "–" : shown(row.yaw_rate) + " rad/s";
   $("command").textContent = row.command || "–";
+  $("speed").textContent = row.speed == null ? "–" : shown(100 * row.speed, 0) + " %";
   $("flags").textContent = row.flags || "none";
   const dial = $("dial"), c = dial.getContext("2d"), w = dial.width = dial.clientWidth, h = dial.height = 48;
   c.strokeStyle = colour("--line"); c.lineWidth = 2;
@@ -59,18 +60,18 @@ function makeCharts() {
   const axis = { stroke: colour("--faint"), grid: { stroke: colour("--line"), width: 1 }, ticks: { stroke: colour("--line") } };
   const chart = (id, range, all) => charts.push(new uPlot({
     width: $(id).clientWidth, height: 150, scales: { x: { time: false }, y: { range } },
-    axes: [{ ...axis, values: (u, ticks) => ticks.map(t => t + " s") }, { ...axis, size: 52 }],
-    series: [{ label: "time", value: (u, v) => shown(v, 1) + " s" }, ...all.map(([label, stroke]) => ({ label, stroke,
+    axes: [{ ...axis, size: 30, values: (u, ticks) => ticks.map(t => t + " s") }, { ...axis, size: 52 }],
+    series: [{ label: "time", value: (u, v) => shown(v, 1) + " s" }, ...all.map(([label, name, dash]) => ({ label, stroke: colour(name), dash,
       width: 1.25, points: { show: false }, value: (u, v) => shown(v, 3) }))],
   }, [[], ...all.map(() => [])], $(id)));
   chart("chart-s", (u, low, high) => low == null ? [-0.5, 0.5] : [Math.min(low, -0.2), Math.max(high, 0.2)],
-    [["sx", "#35a4ff"], ["sy", "#ff9f40"]]);
-  chart("chart-c", [-1, 1], [["confidence", "#2fb457"], ["yaw rate, rad/s", "#c79bff"]]);
+    [["sx", "--blue"], ["sy", "--orange"]]);
+  chart("chart-c", [-1.04, 1.04], [["confidence", "--green"], ["yaw rate, rad/s", "--violet"], ["speed, share", "--orange", [6, 4]]]);
 }
 function fillCharts() {
   const time = rows.map(row => row.time);
   charts[0].setData([time, rows.map(r => r.sx), rows.map(r => r.sy)]);
-  charts[1].setData([time, rows.map(r => r.confidence), rows.map(r => r.yaw_rate)]);
+  charts[1].setData([time, rows.map(r => r.confidence), rows.map(r => r.yaw_rate), rows.map(r => r.speed)]);
 }
 
 // --- from above
@@ -114,8 +115,12 @@ function takePlan() {
 $("follow").onchange = drawPlan;
 
 // --- settings
+function holdSettings(hold) {
+  for (const input of document.querySelectorAll(".field input, .field select")) input.disabled = hold;
+}
 async function askSettings() {
   settingsAsked = true;
+  $("flown").hidden = !state.has_plan;
   $("settings-section").hidden = false;
   const sections = await (await fetch("settings")).json();
   $("settings").replaceChildren(...sections.map(({ section, fields }, i) => {
@@ -167,7 +172,7 @@ async function look() {
     if (!response.ok) throw new Error(await response.text());
     state = await response.json();
     const fresh = state.rows.map(r => ({ number: r[0], time: r[1], status: r[2], confidence: r[3], sx: r[4], sy: r[5],
-      azimuth: r[6], yaw_rate: r[7], command: r[8], flags: r[9], x: r[11], y: r[12], heading: r[13] }));
+      azimuth: r[6], yaw_rate: r[7], command: r[8], flags: r[9], speed: r[11], x: r[12], y: r[13], heading: r[14] }));
     if (fresh.length) {
       if (rows.length && fresh[0].time < rows[rows.length - 1].time) rows = [];
       for (const row of fresh) {
@@ -184,6 +189,7 @@ async function look() {
     $("line").className = "faint";
     $("foot").textContent = `adit ${state.version}, ${state.frames} frames`;
     if (state.settable && !settingsAsked) askSettings();
+    if (settingsAsked) holdSettings(!state.settable);
     if (state.has_plan && $("plan-section").hidden) takePlan();
     if (!paused) { gauges(); fillCharts(); drawPlan(); }
   } catch (error) {

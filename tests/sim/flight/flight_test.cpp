@@ -99,6 +99,38 @@ TEST(Flight, LampsThatFlashAreJudgedInPairs) {
   }
 }
 
+/// Settings that are changed in flight hold from the next frame on; what was flown before is not touched by them.
+TEST(Flight, OtherSettingsHoldFromTheNextFrameOn) {
+  const World world = bend();
+  const RayScene scene(world.mesh);
+  FlightSettings s = settings(4);
+  s.flight.time_max_s = 6.0;
+  const Flown unchanged = fly(world, scene, s);
+  NavigatorConfig other{s.finder, s.heading, {}, {}, {}, {}, {}};
+  other.finder.method = Method::kAdit;
+  test::StandIn eye(scene);
+  Flight flight(s, world, scene, eye);
+  constexpr int kChangeAt = 60;
+  for (int row = 0; row < kChangeAt; ++row) {
+    ASSERT_TRUE(flight.step());
+    EXPECT_EQ(flight.row().point.sx, unchanged.numbers[static_cast<std::size_t>(8 * row + 5)]) << row;
+    EXPECT_EQ(flight.row().speed_scale, 1.0);
+    EXPECT_EQ(flight.navigator(), nullptr);
+  }
+  NavigatorConfig wrong = other;
+  wrong.finder.omega = 7.0;
+  EXPECT_THROW(flight.change(wrong), std::invalid_argument);
+  EXPECT_EQ(flight.navigator(), nullptr) << "what is refused changes nothing";
+  flight.change(other);
+  ASSERT_TRUE(flight.step());
+  EXPECT_NE(flight.navigator(), nullptr);
+  EXPECT_EQ(flight.settings().finder.method, Method::kAdit);
+  EXPECT_LT(flight.row().speed_scale, 1.0) << "the navigator begins from rest";
+  int steered = 0;
+  while (flight.step()) steered += flight.row().command.state == HeadingState::kSteer ? 1 : 0;
+  EXPECT_GT(steered, 60);
+}
+
 TEST(Flight, TheSameSeedGivesTheSameBytesAloneAndBesideAnother) {
   const World world = bend();
   const RayScene scene(world.mesh);

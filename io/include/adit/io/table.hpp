@@ -20,6 +20,9 @@ struct TableRow {
   std::string message;                    ///< why it could not be read
 };
 
+/// Those that are up, joined with a plus: "dust+glare". "" when none is.
+[[nodiscard]] std::string flags_text(const SightFlags& flags);
+
 /// Reals have a fixed number of digits, with a point in every locale, so that equal answers are equal bytes.
 /// @param timing  also the column find_ms, which is never the same twice.
 [[nodiscard]] std::string csv_header(bool timing);

@@ -107,12 +107,13 @@ struct FlightRow {
   Truth truth;
   Delivery delivery = Delivery::kFresh;
   bool lamps_on = true;               ///< when the frame was taken that was delivered
-  Status status = Status::kBadFrame;  ///< meaningless for dropped frames, as are the next five
+  Status status = Status::kBadFrame;  ///< meaningless for dropped frames, as are the next six
   double confidence = 0.0;
   Pixel centroid_px;
   NormalisedPoint point;
   Bearing bearing;
   double area_fraction = 0.0;
+  SightFlags flags;
   HeadingCommand command;
   double speed_scale = 1.0;  ///< of the command: share of speed_m_s
 };
@@ -127,6 +128,11 @@ class Flight {
 
   /// Takes a frame, judges it, and flies until the next. False when the flight is over; then there is no new row.
   bool step();
+
+  /// Other settings of perception and steering, from the next frame on and as if it began there: what was remembered of
+  /// the way is gone. Frames that are still on their way to the pilot stay what they were judged to be.
+  /// @throws std::invalid_argument naming the field, the value and the range; nothing is changed then.
+  void change(const NavigatorConfig& config);
 
   [[nodiscard]] const FlightRow& row() const noexcept { return row_; }
   /// The frame of row(), for films; valid until the next step(). The same pixels that perception got.
@@ -156,6 +162,7 @@ class Flight {
   [[nodiscard]] const std::optional<Scan>& scan() const noexcept { return scan_; }
 
  private:
+  void engage(const FlightSettings& settings);
   void take_frame();
   [[nodiscard]] Sight judged();
   void deliver();

@@ -182,9 +182,11 @@ void bind_finder(py::module_& module) {
       },
       py::arg("frame"), py::arg("order") = "",
       "Judges one frame: uint8 of shape (height, width[, 1, 3 or 4]), or uint16 of shape (height, width).\n\n"
-      "order: bgr (default), rgb, bgra (default with 4 channels), rgba, grey. Rows of any stride, also negative, and\n"
-      "frame[..., ::-1] are read where they lie; other layouts are gathered row by row. The interpreter's lock is\n"
-      "released meanwhile.");
+      "order: bgr (default), rgb, bgra (default with 4 channels), rgba, grey. Rows of any stride, also negative,\n"
+      "frame[..., ::-1] and frame[..., :3] are read where they lie. Pixels that do not lie side by side in memory "
+      "(mirrored,\n"
+      "every second column, planes, columns first) are copied into a buffer first; is_copied(frame) tells. The\n"
+      "interpreter's lock is released meanwhile.");
   finder.def(
       "explain",
       [](LockedFinder& self, const py::array& frame, const std::string& order) {
@@ -194,7 +196,8 @@ void bind_finder(py::module_& module) {
   module.def(
       "is_copied",
       [](const py::array& frame, const std::string& order) { return ImageArray(frame, order).is_copied(); },
-      py::arg("frame"), py::arg("order") = "", "Would find() have to gather the pixels of this array first?");
+      py::arg("frame"), py::arg("order") = "",
+      "Would find() have to copy the pixels of this array first, since they do not lie side by side?");
 }
 
 }  // namespace adit::python

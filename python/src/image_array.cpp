@@ -33,6 +33,21 @@ PixelFormat swapped(PixelFormat format) {
   return format == PixelFormat::kBgr8 ? PixelFormat::kRgb8 : PixelFormat::kBgr8;
 }
 
+PixelFormat with_fourth(PixelFormat format) {
+  return format == PixelFormat::kBgr8 ? PixelFormat::kBgra8 : PixelFormat::kRgba8;
+}
+
+/// One past the last byte that is known to belong to the array's memory: that of the array it is a view of.
+const std::uint8_t* end_of_memory(const py::array& array) {
+  py::array owner = array;
+  for (py::object base = owner.base(); base && py::isinstance<py::array>(base); base = owner.base())
+    owner = py::reinterpret_borrow<py::array>(base);
+  const auto* end = static_cast<const std::uint8_t*>(owner.data());
+  for (py::ssize_t axis = 0; axis < owner.ndim(); ++axis)
+    if (owner.strides(axis) > 0) end += (owner.shape(axis) - 1) * owner.strides(axis);
+  return end + owner.itemsize();
+}
+
 }  // namespace
 
 ImageArray::ImageArray(py::array array, const std::string& order) : array_(std::move(array)) {
@@ -55,13 +70,18 @@ ImageArray::ImageArray(py::array array, const std::string& order) : array_(std::
   channels_ = static_cast<int>(channels);
   channel_stride_ = channels_ > 1 ? array_.strides(2) : 1;
   data_ = static_cast<const std::uint8_t*>(array_.data());
-  const int bytes = bytes_per_pixel(format_);
-  if (channels_ == 3 && channel_stride_ == -1 && pixel_stride_ == bytes) {
+  if (channels_ == 3 && channel_stride_ == -1 && (pixel_stride_ == 3 || pixel_stride_ == 4)) {
     // frame[..., ::-1]: the same bytes from the other end.
     data_ -= 2;
     channel_stride_ = 1;
     format_ = swapped(format_);
   }
+  if (channels_ == 3 && channel_stride_ == 1 && pixel_stride_ == 4 && height_ > 0) {
+    // frame[..., :3] of four channels. The fourth is passed over, but it has to be there to be read.
+    const std::uint8_t* last_row = data_ + (row_stride_ > 0 ? (height_ - 1) * row_stride_ : 0);
+    if (last_row + std::ptrdiff_t{4} * width_ <= end_of_memory(array_)) format_ = with_fourth(format_);
+  }
+  const int bytes = bytes_per_pixel(format_);
   const bool odd = is_16 && (reinterpret_cast<std::uintptr_t>(data_) % 2 != 0 || row_stride_ % 2 != 0);
   const std::ptrdiff_t reach = row_stride_ < 0 ? -row_stride_ : row_stride_;
   gathered_ = pixel_stride_ != bytes || channel_stride_ != 1 || odd ||

@@ -27,18 +27,24 @@ there() {
     build/aarch64-program/adit "$@"
 }
 there --version
-frames=(data/tunnel.jpg data/clip.avi)
+# The clip as pictures, without loss: on ARM, FFmpeg turns a video's colours into BGR by other code than here, and levels
+# differ by one. What is compared is adit.
+clip=build/aarch64-clip
+rm -rf "$clip"
+mkdir -p "$clip"
+quietly aarch64-clip ffmpeg -nostdin -y -i data/clip.avi "$clip/%03d.png"
+inputs=(data/tunnel.jpg "$clip")
 real=${ADIT_DATA:-../shared/data}/real/caves
-if [ -d "$real" ]; then mapfile -t -O 2 frames < <(find "$real" -name '*.jpg' | sort | head -n 3); fi
+if [ -d "$real" ]; then mapfile -t -O 2 inputs < <(find "$real" -name '*.jpg' -o -name '*.png' | sort | head -n 3); fi
 status=0
-for frame in "${frames[@]}"; do
+for input in "${inputs[@]}"; do
   for method in paper adit; do
     begin=$SECONDS
-    there run "$frame" --method "$method" --csv build/aarch64-there.csv --quiet
-    build/release/adit run "$frame" --method "$method" --csv build/aarch64-here.csv --quiet
+    there run "$input" --sequence --method "$method" --csv build/aarch64-there.csv --quiet
+    build/release/adit run "$input" --sequence --method "$method" --csv build/aarch64-here.csv --quiet
     if cmp build/aarch64-here.csv build/aarch64-there.csv; then
-      echo "adit run ${frame##*/} --method $method: $(($(wc -l < build/aarch64-there.csv) - 1)) rows, the same bytes as here," \
-        "in $((SECONDS - begin)) s"
+      echo "adit run ${input##*/} --sequence --method $method: $(($(wc -l < build/aarch64-there.csv) - 1)) rows, the same bytes as" \
+        "here, in $((SECONDS - begin)) s"
       tally 1 0 0
     else
       diff build/aarch64-here.csv build/aarch64-there.csv | head -n 6 || true
@@ -47,4 +53,15 @@ for frame in "${frames[@]}"; do
     fi
   done
 done
+
+# The video itself: every frame of it is read and judged.
+there run data/clip.avi --csv build/aarch64-video.csv --quiet
+if [ "$(grep -c ',found,' build/aarch64-video.csv)" = 60 ]; then
+  echo "adit run clip.avi: an opening in each of 60 frames"
+  tally 1 0 0
+else
+  cut -d , -f 1-8 build/aarch64-video.csv | head -n 6
+  tally 0 1 0
+  status=1
+fi
 exit $status

@@ -2,9 +2,11 @@
 # Debian packages by cpack: accepted by lintian, installed and run in a clean debootstrap chroot (needs root).
 . "$(dirname "${BASH_SOURCE[0]}")/prelude.sh"
 
-# A build of its own, without tests: cpack wants all of a build.
+# A build of its own, without tests: cpack wants all of a build. With /usr for a prefix libraries go where Debian has those
+# of this machine's kind.
 folder=build/deb
 quietly deb-configure cmake --preset release -B "$folder" -DADIT_SIM=ON -DADIT_PYTHON=ON -DADIT_TESTS=OFF -DADIT_BENCH=OFF \
+  -DCMAKE_INSTALL_PREFIX=/usr \
   -DADIT_WERROR=ON -DPython3_EXECUTABLE=/usr/bin/python3
 quietly deb-build cmake --build "$folder" --parallel "$jobs"
 rm -f "$folder"/*.deb
@@ -52,7 +54,7 @@ quietly deb-update inside apt-get update -q
 quietly deb-install inside sh -c 'apt-get install -y -q --no-install-recommends /srv/*.deb'
 echo "installed in a clean $VERSION_CODENAME in $((SECONDS - begin)) s"
 inside adit --version
-inside sh -c 'cd /root && adit run clip.avi --method adit --csv out.csv --quiet && head -n 3 out.csv'
+inside sh -c 'cd /srv && adit run clip.avi --method adit --csv out.csv --quiet && head -n 3 out.csv'
 "$folder/adit" run data/clip.avi --method adit --csv build/deb_here.csv --quiet
 # The first column is the file as it was named.
 cmp <(cut -d , -f 2- build/deb_here.csv) <(cut -d , -f 2- "$chroot/srv/out.csv")
@@ -60,8 +62,14 @@ inside adit fly s_bend --time 1 --quiet --out /srv/flight
 inside test -s /srv/flight/summary.json
 inside /usr/bin/python3 -c 'import adit, numpy; print(adit.OpenSpaceFinder().find(numpy.zeros((48, 64), numpy.uint8)))'
 inside test -s /usr/share/bash-completion/completions/adit
-inside ls -l /usr/lib | grep -q 'libadit.so.0 ->' || inside sh -c 'ls -l /usr/lib/*/libadit.so.0'
+inside sh -c 'test -e /usr/lib/*/libadit.so.0'
 tally 6 0 0
+# A stranger's program in C, by what libadit-dev brings.
+quietly deb-compiler inside apt-get install -y -q --no-install-recommends gcc libc6-dev pkg-config
+# shellcheck disable=SC2016  # it is expanded there
+inside sh -c 'cd /srv && gcc consumer.c -o consumer $(pkg-config --cflags --libs adit) && ./consumer' | tee build/deb-consumer.log
+grep -q 'adit says: no_contrast' build/deb-consumer.log
+tally 1 0 0
 quietly deb-remove inside apt-get purge -y -q adit libadit-dev libadit0 python3-adit
 if inside sh -c 'find /usr -path "*adit*" | grep -v "^/usr/share/doc" | grep -E "adit(-|\.|/|$)|libadit"'; then
   echo "files stay behind after the packages are gone" >&2

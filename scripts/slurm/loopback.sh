@@ -1,6 +1,7 @@
 # Sourced: a Slurm of one controller and two nodes on this machine's loopback address, in a folder of its own.
 # shellcheck shell=bash
-# loopback_up FOLDER, loopback_node_up N, loopback_node_dies N, loopback_down. Needs root, slurm-wlm, munge.
+# loopback_up FOLDER, loopback_node_up N, loopback_node_halts N, loopback_node_goes_on N, loopback_node_dies N,
+# loopback_down. Needs root, slurm-wlm, munge.
 
 loopback_up() {
   loopback=$1
@@ -72,6 +73,24 @@ loopback_processes_of() {
       if [ -n "$parent" ] && [ "$(cat "/proc/$parent/comm" 2>/dev/null)" = slurmstepd ]; then echo "$parent"; fi
     fi
   done | sort -u
+}
+
+# Stops all that runs on a node where it stands; prints the array task whose `adit` is among it, nothing where none is.
+loopback_node_halts() {
+  local pid
+  for pid in $(loopback_processes_of "$1"); do kill -STOP "$pid" 2>/dev/null || true; done
+  sleep 0.2  # a signal is taken when the kernel gets to it
+  for pid in $(loopback_processes_of "$1"); do
+    if [ "$(awk '{ print $2 $3 }' "/proc/$pid/stat" 2>/dev/null)" = '(adit)T' ]; then
+      tr '\0' '\n' < "/proc/$pid/environ" | sed -n 's/^SLURM_ARRAY_TASK_ID=//p'
+      return
+    fi
+  done
+}
+
+loopback_node_goes_on() {
+  local pid
+  for pid in $(loopback_processes_of "$1"); do kill -CONT "$pid" 2>/dev/null || true; done
 }
 
 # As when its power fails: nothing says goodbye.

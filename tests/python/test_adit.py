@@ -66,7 +66,14 @@ def layouts():
     yield "rgb by a view, rows from the end", np.ascontiguousarray(frame[::-1])[::-1][..., ::-1], "rgb", False
     yield "bgra", np.dstack([frame, np.full((HEIGHT, WIDTH), 7, np.uint8)]), "bgra", False
     yield "rgba", np.dstack([frame[..., ::-1], np.full((HEIGHT, WIDTH), 7, np.uint8)]), "rgba", False
-    yield "colours of four", np.dstack([frame, frame[..., :1]])[..., :3], "bgr", True
+    four = np.dstack([frame, np.full((HEIGHT, WIDTH), 7, np.uint8)])
+    yield "colours of four", four[..., :3], "bgr", False
+    yield "colours of four, from the other end", four[..., 2::-1], "rgb", False
+    yield "colours of four, rows from the end", np.ascontiguousarray(four[::-1])[::-1][..., :3], "bgr", False
+    # What would be read as the last pixel's fourth channel is no longer the array's.
+    yield "colours of four, the last", np.roll(four, 1, axis=2)[..., 1:], "bgr", True
+    cut = np.ndarray((HEIGHT, WIDTH, 3), np.uint8, four.tobytes()[:-1], 0, (4 * WIDTH, 4, 1))  # ends with the third
+    yield "colours of four, cut off", cut, "bgr", True
     yield "mirrored", np.ascontiguousarray(frame[:, ::-1])[:, ::-1], "bgr", True
     yield "every second column", np.repeat(frame, 2, axis=1)[:, ::2], "bgr", True
     yield "planes", np.moveaxis(np.ascontiguousarray(np.moveaxis(frame, 2, 0)), 0, 2), "bgr", True

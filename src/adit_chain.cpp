@@ -88,6 +88,8 @@ AditChain::AditChain(const FinderConfig& config, const Camera& camera, int frame
       enclosing_(grid_.width(), grid_.height()),
       search_(grid_.width(), grid_.height()),
       veil_fit_(grid_, camera, config),
+      cusp_(grid_, camera, veil_fit_.block(), config.horizon_spread_deg),
+      no_cusp_(static_cast<std::size_t>(grid_.width()), std::int16_t{256}),
       lobe_on_cells_(grid_, camera),
       lamp_(grid_.width(), grid_.height()),
       other_level_(lamp_),
@@ -114,6 +116,7 @@ void AditChain::find(const FinderConfig& config, const Camera& camera, OpenSpace
   note_levels(out);
   const VeilSight veil = veil_fit_.judge(cleaned_);
   note_flags(config, veil, out);
+  cusp_.judge(veil_fit_.log_light());
   const bool veil_off = out.veil_fraction >= kVeilOffMin;
   if (veil_off) {
     veil_fit_.take_off(cleaned_, lobe_on_cells_, light_);
@@ -121,7 +124,7 @@ void AditChain::find(const FinderConfig& config, const Camera& camera, OpenSpace
     look_up(cleaned_, table_, light_);
     if (lamp_known_) brighten_outside_beam();
   }
-  search();
+  search(!out.flags.dust);
   out.status = judge_levels(config, out);
   light_usable_ = !out.flags.dust && out.status == Status::kFound;
   if (out.status != Status::kFound) return;
@@ -144,10 +147,23 @@ void AditChain::clean() noexcept {
   blur(cleaned_, filter_);
 }
 
-void AditChain::search() noexcept {
+void AditChain::search(bool by_cusp) noexcept {
   enclosure_of(light_, enclosing_, map_);
-  weigh_by_elevation();
+  weigh(by_cusp);
+  blur(depth_, filter_);
+  blur(map_, filter_);  // twice: a standard deviation of 1.4 cells, so that a peak is of a place and not of noise
+  blur(map_, filter_);
   candidates_ = search_openings(map_, depth_, search_);
+  if (by_cusp) rank_by_cusp();
+}
+
+void AditChain::rank_by_cusp() noexcept {
+  for (int i = 0; i < candidates_.count; ++i) {
+    Candidate& of = candidates_.list[static_cast<std::size_t>(i)];
+    const std::vector<std::int16_t>& weights = cusp_.weights_of_row(static_cast<int>(std::lround(of.v)));
+    of.rank = of.strength * weights[static_cast<std::size_t>(std::lround(of.u))];
+  }
+  order_by_rank(candidates_);
 }
 
 Status AditChain::judge_levels(const FinderConfig& config, const OpenSpace& out) const noexcept {
@@ -204,19 +220,19 @@ void AditChain::note_way_through_dust(const Camera& camera, const VeilSight& vei
   note_extent(camera, to);
 }
 
-void AditChain::weigh_by_elevation() noexcept {
+void AditChain::weigh(bool by_cusp) noexcept {
+  const auto cells = static_cast<std::size_t>(map_.width);
   for (int v = 0; v < map_.height; ++v) {
     std::int16_t* const row = map_.row(v);
     std::int16_t* const deep = depth_.row(v);
-    const int weight = elevation_weight_[static_cast<std::size_t>(v)];
-    for (int u = 0; u < map_.width; ++u) {
+    const int elevation = elevation_weight_[static_cast<std::size_t>(v)];
+    const std::int16_t* const cusp = by_cusp ? cusp_.weights_of_row(v).data() : no_cusp_.data();
+    for (std::size_t u = 0; u < cells; ++u) {
+      const int weight = (elevation * cusp[u]) >> 8;
       deep[u] = static_cast<std::int16_t>((std::min<int>(row[u], kDepthMax) * weight) >> 8);
-      row[u] = static_cast<std::int16_t>((std::min<int>(row[u], kRiseMax) * weight) >> 8);
+      row[u] = static_cast<std::int16_t>((std::min<int>(row[u], kRiseMax) * elevation) >> 8);
     }
   }
-  blur(depth_, filter_);
-  blur(map_, filter_);  // twice: a standard deviation of 1.4 cells, so that a peak is of a place and not of noise
-  blur(map_, filter_);
 }
 
 void AditChain::note_levels(OpenSpace& out) noexcept {
@@ -236,8 +252,11 @@ void AditChain::note_openings(const FinderConfig& config, const Camera& camera, 
   const int cells = static_cast<int>(level_.values.size());
   for (int i = 0; i < candidates_.count; ++i) {
     const Candidate& from = candidates_.list[static_cast<std::size_t>(i)];
-    const double odds = way_odds(from, cells, veil, veil_off);
-    if (odds < config.way_odds_min) continue;
+    const double odds = way_odds(from, cells, veil, cusp_.most(), veil_off);
+    if (odds < config.way_odds_min) {
+      if (i == 0) break;  // where the first is none, the weaker ones are not asked
+      continue;
+    }
     Opening& to = out.openings[static_cast<std::size_t>(out.opening_count++)];
     to.confidence = confidence_of(odds, out.flags.dust ? kConfidenceInDust : kConfidenceMax);
     if (out.flags.dust) {  // the air has one middle, whatever the places of the search

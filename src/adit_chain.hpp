@@ -3,6 +3,7 @@
 
 #include "adit/camera.hpp"
 #include "adit/finder.hpp"
+#include "cusp.hpp"
 #include "enclosure.hpp"
 #include "opening_search.hpp"
 #include "veil.hpp"
@@ -30,9 +31,10 @@ class AditChain {
  private:
   void clean() noexcept;
   void brighten_outside_beam() noexcept;
-  void search() noexcept;
+  void search(bool by_cusp) noexcept;
   [[nodiscard]] Status judge_levels(const FinderConfig& config, const OpenSpace& out) const noexcept;
-  void weigh_by_elevation() noexcept;
+  void weigh(bool by_cusp) noexcept;
+  void rank_by_cusp() noexcept;
   void note_levels(OpenSpace& out) noexcept;
   void note_flags(const FinderConfig& config, const VeilSight& veil, OpenSpace& out) const noexcept;
   void note_openings(const FinderConfig& config, const Camera& camera, const VeilSight& veil, bool veil_off,
@@ -48,6 +50,8 @@ class AditChain {
   EnclosureScratch enclosing_;
   SearchScratch search_;
   VeilFit veil_fit_;
+  CuspFit cusp_;
+  std::vector<std::int16_t> no_cusp_;  ///< weights of a row where the cusp says nothing
   LobeOnCells lobe_on_cells_;
   LightTable table_{};
   std::vector<std::int16_t> elevation_weight_;  ///< of each row of cells, 0 to 256

@@ -6,6 +6,7 @@ target_sources(adit_core PRIVATE
   chain.cpp
   clearance.cpp
   column_range.cpp
+  cusp.cpp
   distortion.cpp
   enclosure.cpp
   faults.cpp

@@ -161,13 +161,18 @@ Candidates search_openings(const CellPlane& map, const CellPlane& depth, SearchS
     const int reach = std::max(found.right - found.left, found.bottom - found.top) + 1;
     const double fullness = std::min(1.0, found.cells / (kSlenderness * reach * reach));
     found.strength = static_cast<double>(found.peak) / kStop * std::sqrt(share) * fullness;
+    found.rank = found.strength;
     ++out.count;
   }
-  // std::stable_sort would allocate; equal strengths go by place.
-  std::sort(out.list.begin(), out.list.begin() + out.count, [](const Candidate& a, const Candidate& b) {
-    return a.strength != b.strength ? a.strength > b.strength : a.v != b.v ? a.v < b.v : a.u < b.u;
-  });
+  order_by_rank(out);
   return out;
+}
+
+void order_by_rank(Candidates& candidates) noexcept {  // std::stable_sort would allocate
+  std::sort(candidates.list.begin(), candidates.list.begin() + candidates.count,
+            [](const Candidate& a, const Candidate& b) {
+              return a.rank != b.rank ? a.rank > b.rank : a.v != b.v ? a.v < b.v : a.u < b.u;
+            });
 }
 
 }  // namespace adit

@@ -20,6 +20,7 @@ struct Candidate {
   std::uint8_t owner = 0;  ///< its mark in SearchScratch::owner
   int peak = 0;            ///< largest value of the score map in it, parts of a stop
   double strength = 0.0;   ///< peak in stops times the square root of its share of the frame: deep and wide
+  double rank = 0.0;       ///< what orders them: strength, until somebody knows better
 };
 
 struct SearchScratch {
@@ -43,5 +44,8 @@ struct Candidates {
 /// @param map    not below 0; @param depth  the same size, not below 0: its fourth powers weigh the cells of a
 /// centroid.
 [[nodiscard]] Candidates search_openings(const CellPlane& map, const CellPlane& depth, SearchScratch& scratch) noexcept;
+
+/// The highest rank first; equal ranks go by place. Allocates nothing.
+void order_by_rank(Candidates& candidates) noexcept;
 
 }  // namespace adit

@@ -41,6 +41,10 @@ class VeilFit {
   /// @param levels  parts of a grey level, cleaned. Allocates nothing.
   [[nodiscard]] VeilSight judge(const CellPlane& levels) noexcept;
 
+  /// Natural logarithms of the light of the blocks of the frame judged last, rows one after the other.
+  [[nodiscard]] const std::vector<double>& log_light() const noexcept { return log_; }
+  [[nodiscard]] int block() const noexcept { return block_; }  ///< cells along the side
+
   /// What the rock adds to the veil, as a share of the veil, of the frame judged last. Lamp and lens shape veil and
   /// rock alike, so the share depends on range and rock alone: it falls with range, to nothing where dust hides all.
   /// @param levels  as given to judge(); @param cells  of the same grid; @param rock  binary logarithm of the share,

@@ -17,28 +17,30 @@ struct Weights {
   double air;
   double above;  ///< a stop
   double below;  ///< a stop
+  double cusp;   ///< of a natural logarithm
 };
-constexpr Weights kClear{13.9, 3.6, 2.27, 5.5, 2.06, -0.33};
-/// Through a veil the peak says how thin the veil is rather than how deep the place.
-constexpr Weights kVeilOff{18.1, -2.5, 2.78, 4.34, 1.57, -1.42};
+constexpr Weights kClear{15.48, 2.15, 1.25, 4.33, 1.81, -0.50, 3.12};
+/// Through a veil the peak says how thin the veil is rather than how deep the place, and the veil's own lobe hides
+/// cusps.
+constexpr Weights kVeilOff{21.61, -4.11, 3.0, 3.95, 1.15, -1.59, 0.0};
 
 /// A place this strong, in clear air, is as likely a way on as not whatever the rest of the frame is like: of the walls
 /// that the weights are from none was above 0.39. And the natural logarithm of strength over which the odds grow by e.
 constexpr double kStrongEven = 0.45, kStrongSpread = 0.15;
 
 /// Added before logarithms, so that nothing seen is a small number and not none: a tenth of a stop, 60 of the 19,200
-/// cells, a block in two hundred.
-constexpr double kPeakFloor = 0.1, kAreaFloor = 0.003, kAirFloor = 0.005;
+/// cells, a block in two hundred, and what texture makes of a cusp.
+constexpr double kPeakFloor = 0.1, kAreaFloor = 0.003, kAirFloor = 0.005, kCuspFloor = 0.02;
 
 }  // namespace
 
-double way_odds(const Candidate& best, int cells, const VeilSight& veil, bool veil_off) noexcept {
+double way_odds(const Candidate& best, int cells, const VeilSight& veil, double cusp, bool veil_off) noexcept {
   const Weights& w = veil_off ? kVeilOff : kClear;
   const double peak_stops = static_cast<double>(best.peak) / kStop;
   const double share = static_cast<double>(best.cells) / cells;
   const double odds = w.even + w.peak * std::log(peak_stops + kPeakFloor) + w.area * std::log(share + kAreaFloor) +
                       w.air * std::log(veil.open_share + kAirFloor) + w.above * veil.above_stops +
-                      w.below * veil.below_stops;
+                      w.below * veil.below_stops + w.cusp * std::log(cusp + kCuspFloor);
   if (veil_off || !(best.strength > 0.0)) return odds;
   return std::max(odds, std::log(best.strength / kStrongEven) / kStrongSpread);
 }

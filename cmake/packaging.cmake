@@ -67,4 +67,7 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS "libopencv-dev, libyaml-cpp-dev, l
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "gnuplot-nox")
 # ldconfig, without a script: the trigger that Debian's own libraries use.
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/packaging/triggers)
+# What the interpreter compiles beside the module is made and removed with the package.
+set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/packaging/python/postinst
+  ${PROJECT_SOURCE_DIR}/packaging/python/prerm)
 include(CPack)

@@ -1,30 +1,32 @@
 // The pictures of the pages in the docs, made anew: ADIT_PROGRAM=... ADIT_SOURCE=... node screenshots.mjs FOLDER, in the folder
 // that the phase `see` has furnished (build/pages). On a machine with nothing else to do, or the pages show that.
 import { spawnSync } from "node:child_process";
-import { join } from "node:path";
+import { join, resolve } from "node:path";
 import { closeBrowser, openBrowser, openPage, run, scratch, serve, source, until } from "./browser.mjs";
 
-const folder = process.argv[2];
+const folder = resolve(process.argv[2]);
 const pause = seconds => new Promise(r => setTimeout(r, 1000 * seconds));
 const frames = page => page.locator("#foot").textContent().then(text => Number(text.match(/(\d+) frames/)?.[1] ?? 0));
 async function shoot(page, name) {
   const path = join(folder, name);
   await page.screenshot({ path });
   await page.context().close();
-  spawnSync("convert", [path, "-colors", "240", "PNG8:" + path]);  // a third of the bytes; left as it is without ImageMagick
+  spawnSync("convert", [path, "+dither", "-colors", "240", "PNG8:" + path]);  // half the bytes; left as it is without ImageMagick
 }
 
 await openBrowser();
-const at = scratch(), file = join(at.folder, "bend.html");
-await run("fly", "s_bend", "--time", "20", "--quiet", "--report", file);
-const report = await openPage("file://" + file, { width: 1180, height: 1180 });
+const at = scratch();
+process.chdir(at.folder);  // pages show the names that the program was given
+await run("fly", "s_bend", "--time", "20", "--quiet", "--report", "bend.html");
+const report = await openPage("file://" + join(at.folder, "bend.html"), { width: 1180, height: 1180 });
 await report.getByRole("slider", { name: "Frame" }).focus();
 for (let page = 0; page < 8; ++page) await report.keyboard.press("PageUp");
 await report.evaluate(() => document.activeElement.blur());
 await pause(2);
 await shoot(report, "report.png");
 
-const view = await serve("view", join(source, "data/clip.avi"), "--loop");
+process.chdir(source);
+const view = await serve("view", "data/clip.avi", "--loop");
 const live = await openPage(view.address, { width: 1180, height: 1100 });
 await pause(15);
 await shoot(live, "view.png");

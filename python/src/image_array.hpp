@@ -11,9 +11,9 @@
 namespace adit::python {
 
 /// An array seen as an ImageView. Rows may lie at any stride, the colours of a pixel in either order of memory and
-/// beside a fourth channel that is passed over: such arrays are read where they lie. Pixels that do not lie side by side
-/// (every second column, a mirrored picture, planes one after the other) are no ImageView; they alone are gathered into
-/// `rows`.
+/// beside a fourth channel that is passed over: such arrays are read where they lie. Pixels that do not lie side by
+/// side (every second column, a mirrored picture, planes one after the other) are no ImageView; they alone are gathered
+/// into `rows`.
 class ImageArray {
  public:
   /// @param order  "bgr", "rgb", "bgra" or "rgba", by the array's last axis; "grey"; "" takes bgr, bgra or grey by

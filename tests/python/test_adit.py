@@ -5,6 +5,7 @@ import inspect
 import os
 import pathlib
 import pickle
+import re
 import subprocess
 import sys
 import threading
@@ -330,3 +331,10 @@ def test_the_example_draws_figure_2(tmp_path):
     left = drawn[:, :frame.shape[1]].astype(int)
     red = (left[..., 0] > 200) & (left[..., 1] < 60) & (left[..., 2] < 60)
     assert red.sum() > 50  # the circle
+
+
+def test_what_the_docs_show_runs():
+    shown = re.search(r"```python\n(.*?)```", (SOURCE / "docs/call.md").read_text(), re.DOTALL).group(1)
+    names = {"frame": passage()}
+    exec(shown, names)
+    assert names["seen"].found and names["command"].heading_state in ("steer", "coast", "hold")

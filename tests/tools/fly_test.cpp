@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -45,6 +46,20 @@ TEST(Fly, WritesATableASummaryAMapAndFigures) {
   EXPECT_NE(page.find(R"("overlay_is_drawn":false)"), std::string::npos) << "of the shots, not of the film";
   for (const auto& tile : shots["tiles"]) EXPECT_NE(page.find(tile.dump()), std::string::npos) << tile;
   EXPECT_GE(shots["tiles"].size(), 5u);
+}
+
+TEST(Fly, DustOnTheWayIsInTheTableAndAnEventOfTheReport) {
+  const ScratchFolder folder;
+  const Outcome outcome =
+      run_adit(short_flight("1", {"--dust", "0.2", "--out", "flight", "--report", "page.html", "--set",
+                                  "lens.width=160", "--set", "lens.height=120", "--set", "flight.drop_fraction=0"}),
+               {.folder = folder.path()});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto rows = rows_of(read_text(folder / "flight/flight.csv"));
+  const auto flags_at = std::find(rows[0].begin(), rows[0].end(), "flags") - rows[0].begin();
+  ASSERT_LT(flags_at, static_cast<std::ptrdiff_t>(rows[0].size()));
+  EXPECT_EQ(rows.back()[static_cast<std::size_t>(flags_at)], "dust");
+  EXPECT_NE(read_text(folder / "page.html").find(R"("dust","flag dust")"), std::string::npos);
 }
 
 TEST(Fly, TheSameSeedGivesTheSameBytesOnOneThreadAndTwo) {

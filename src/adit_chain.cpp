@@ -252,9 +252,12 @@ void AditChain::note_openings(const FinderConfig& config, const Camera& camera, 
   const int cells = static_cast<int>(level_.values.size());
   for (int i = 0; i < candidates_.count; ++i) {
     const Candidate& from = candidates_.list[static_cast<std::size_t>(i)];
-    const double odds = way_odds(from, cells, veil, cusp_.most(), veil_off);
+    const bool is_first = i == 0;
+    // Another way has a cusp of its own; the frame's largest is the first one's.
+    const double cusp = is_first ? cusp_.most() : cusp_.share_at(from.u, from.v);
+    const double odds = way_odds(from, cells, veil, cusp, veil_off);
     if (odds < config.way_odds_min) {
-      if (i == 0) break;  // where the first is none, the weaker ones are not asked
+      if (is_first) break;  // where the first is none, the weaker ones are not asked
       continue;
     }
     Opening& to = out.openings[static_cast<std::size_t>(out.opening_count++)];

@@ -186,6 +186,14 @@ void CuspFit::judge(const std::vector<double>& log_light) noexcept {
   }
 }
 
+double CuspFit::share_at(double u, double v) noexcept {
+  if (shading_.empty()) return kShareUnknown;
+  const double weight =
+      weights_of_row(static_cast<int>(std::lround(v)))[static_cast<std::size_t>(std::lround(u))] / 256.0;
+  const double floor = static_cast<double>(kShareFloor);
+  return std::max(0.0, weight * weight * weight * weight * (most_ + floor) - floor);
+}
+
 const std::vector<std::int16_t>& CuspFit::weights_of_row(int v) noexcept {
   if (shading_.empty()) return row_;
   const Between& at = of_v_[static_cast<std::size_t>(v)];

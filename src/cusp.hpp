@@ -28,6 +28,9 @@ class CuspFit {
   /// directions near the horizon. A frame of too few blocks to tell has what walls and passages share.
   [[nodiscard]] double most() const noexcept { return most_; }
 
+  /// Of the frame judged last: the same share of a cusp about one place, cells; at most most().
+  [[nodiscard]] double share_at(double u, double v) noexcept;
+
   /// How much a place counts that has no cusp about it beside one that has: a third at the least.
   /// @param v  row of cells. @return for each of its cells, 0 to 256; valid until the next call.
   [[nodiscard]] const std::vector<std::int16_t>& weights_of_row(int v) noexcept;

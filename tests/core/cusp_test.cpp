@@ -71,6 +71,18 @@ TEST(Cusp, APassageHasOneWhereItLeads) {
   }
 }
 
+TEST(Cusp, OfTwoWaysEachHasItsOwn) {
+  Lit lit;
+  lit.draw([&](const Bearing& at) { return std::min(0.0, std::max(tube(at, 0.4), -8.0)) + 0.7 * tube(at, -0.4); });
+  const auto column = [&](double azimuth_rad) {
+    return (lit.camera.pixel_of(Bearing{azimuth_rad, 0.0})->u_px - 1.5) / 4.0;
+  };
+  const double right = lit.fit.share_at(column(0.4), 59.5), left = lit.fit.share_at(column(-0.4), 59.5);
+  EXPECT_GT(right, left);
+  EXPECT_GT(left, 2.0 * lit.fit.share_at(column(0.0), 59.5));
+  EXPECT_LE(right, lit.fit.most() + 1e-6);
+}
+
 TEST(Cusp, AWallHasNoneHoweverItIsTurnedAndLit) {
   Lit lit;
   // Drawn rock is never quite smooth: a twentieth of its light, which a quadratic does not hold either.

@@ -11,6 +11,7 @@ export PATH=/usr/bin:$PATH ROS_IP=127.0.0.1 ROS_HOSTNAME=127.0.0.1 ROS_HOME=$PWD
 export ADIT_PROGRAM=$PWD/build/release/adit ADIT_COURSES=$PWD/courses
 export ADIT_CLIP=$PWD/data/clip.avi ADIT_PICTURE=$PWD/data/tunnel.jpg
 build_preset release -DADIT_SIM=ON
+echo "ros: ros/adit_ros2 is not compiled, here or anywhere: there is no ROS 2 in Debian (see its README)"
 
 # Frames of 640 x 480 for the latency, and a recording to play.
 export ADIT_VGA=$PWD/build/ros1-data/frames ADIT_RECORDING=$PWD/build/ros1-data/recording.bag
@@ -59,6 +60,22 @@ launch_names '/open_space' perception.launch manager:=/cam/manager controller:=f
 launch_names '/camera /camera_manager /controller /open_space /rviz' camera.launch input:=/dev/video0 rviz:=true
 launch_names '/adit_manager /bag /controller /open_space /rqt /rviz' bag.launch bag:=drift.bag rqt:=true
 launch_names '/controller /open_space /rviz /sim' simulation.launch course_file:=s_bend.yaml rviz:=true
+
+# All that can be judged of the ROS 2 package here: the same messages, and a launch file that is Python.
+ros2_reads() {
+  local message
+  for message in ros/adit_ros1/msg/*.msg; do
+    diff <(sed 's|^Header |std_msgs/Header |' "$message") "ros/adit_ros2/msg/$(basename "$message")" || return 1
+  done
+  python3 -c 'import ast, sys; ast.parse(open(sys.argv[1]).read())' ros/adit_ros2/launch/perception.launch.py
+}
+if ros2_reads; then
+  tally 1 0 0
+else
+  echo "ros/adit_ros2: its messages or its launch file"
+  tally 0 1 0
+  status=1
+fi
 
 # A count in rostest's summary, which is coloured when it is bad news.
 summary_count() { sed -n "s/^.*\* $1: \([0-9][0-9]*\).*/\1/p" "$2" | head -n 1; }

@@ -121,6 +121,7 @@ void Perception::take(const CameraInfoMessage& message) {
   ++camera_infos_;
   CameraReading reading = camera_of(message);
   camera_fault_ = std::move(reading.fault);
+  broken_camera_infos_ += !camera_fault_.empty();
   // A calibration that is broken is no reason to forget the good one before it.
   if (!reading.model || (camera_ && is_same(*camera_, *reading.model))) return;
   camera_ = reading.model;
@@ -147,6 +148,13 @@ void Perception::watch_size(const ImageView& view) noexcept {
   }
   width_ = view.width;
   height_ = view.height;
+}
+
+void Perception::take_unreadable(std::string fault, Time_ns now_ns) {
+  ++images_;
+  ++unusable_images_;
+  last_image_ns_ = now_ns;
+  last_fault_ = std::move(fault);
 }
 
 ImageAnswer Perception::take(const ImageMessage& message, Time_ns now_ns) {

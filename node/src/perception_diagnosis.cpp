@@ -58,6 +58,8 @@ Diagnosis Perception::diagnosis(Time_ns now_ns) const {
   d.add("images", std::to_string(images_));
   d.add("images unusable", std::to_string(unusable_images_));
   d.add("encodings unknown", std::to_string(unknown_encodings_));
+  d.add("camera_infos", std::to_string(camera_infos_));
+  d.add("camera_infos unusable", std::to_string(broken_camera_infos_));
   d.add("sizes changed", std::to_string(size_changes_));
   d.add("images not of the camera's size", std::to_string(wrong_sizes_));
   d.add("yaw rates", std::to_string(yaw_rates_));

@@ -216,6 +216,31 @@ TEST(PerceptionTest, AResolutionThatTheCalibrationDoesNotKnowIsNotSteeredBy) {
   EXPECT_EQ(play(perception, 200.0, 1, 25, 320).sighting->open_space.status, Status::kFound);
 }
 
+TEST(PerceptionTest, WhatIsNoPictureOrNoCalibrationIsCounted) {
+  Perception perception(settings_of(Method::kPaper));
+  perception.take(camera_info(160));
+  CameraInfoMessage broken = camera_info(160);
+  broken.matrix[0] = -1.0;
+  perception.take(broken);
+  (void)play(perception, 100.0, 2);
+  perception.take_unreadable("image/compressed: the bytes are no picture (format 'jpeg')", kBegin_ns + 2 * kFrame_ns);
+  const Diagnosis d = perception.diagnosis(kBegin_ns + 2 * kFrame_ns);
+  const auto value = [&](const std::string& key) {
+    for (const auto& [name, text] : d.values) {
+      if (name == key) return text;
+    }
+    return std::string("missing");
+  };
+  EXPECT_EQ(d.level, Level::kWarn);
+  EXPECT_EQ(value("images"), "3");
+  EXPECT_EQ(value("images unusable"), "1");
+  EXPECT_EQ(value("camera_infos"), "2");
+  EXPECT_EQ(value("camera_infos unusable"), "1");
+  EXPECT_EQ(perception.unusable_images(), 1);
+  (void)play(perception, 100.0, 1, 3);  // the next good one is judged as if nothing had been
+  EXPECT_EQ(perception.unusable_images(), 1);
+}
+
 TEST(PerceptionTest, WithoutCameraInfoALensIsAssumedAndThatIsSaid) {
   Perception perception(settings_of(Method::kPaper));
   (void)play(perception, 100.0, 2);

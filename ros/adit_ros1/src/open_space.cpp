@@ -67,8 +67,9 @@ void OpenSpaceNode::take_image(const sensor_msgs::ImageConstPtr& image) {
 void OpenSpaceNode::take_compressed(const sensor_msgs::CompressedImageConstPtr& image) {
   const cv::Mat pixels = decoded(*image);
   if (pixels.empty()) {
-    ROS_WARN_THROTTLE(kComplainEach_s, "image/compressed: the bytes are no picture (format '%s')",
-                      image->format.c_str());
+    const std::string fault = "image/compressed: the bytes are no picture (format '" + image->format + "')";
+    ROS_WARN_THROTTLE(kComplainEach_s, "%s", fault.c_str());
+    perception_.take_unreadable(fault, time_of(ros::Time::now()));
     return;
   }
   const sensor_msgs::ImagePtr raw = image_of(pixels);

@@ -25,7 +25,11 @@ class ControllerNode : public rclcpp::Node {
     cmd_vel_ = create_publisher<geometry_msgs::msg::Twist>("cmd_vel", 1);
     setpoint_velocity_ = create_publisher<geometry_msgs::msg::TwistStamped>("setpoint_velocity/cmd_vel", 1);
     latency_ = create_publisher<std_msgs::msg::Float64>("latency", 10);
-    state_ = create_publisher<std_msgs::msg::String>("controller_state", rclcpp::QoS(1).transient_local());
+    // Up to Iron, a publisher that remembers its last message cannot be one within the process.
+    rclcpp::PublisherOptions across_processes;
+    across_processes.use_intra_process_comm = rclcpp::IntraProcessSetting::Disable;
+    state_ =
+        create_publisher<std_msgs::msg::String>("controller_state", rclcpp::QoS(1).transient_local(), across_processes);
     open_space_ = create_subscription<msg::OpenSpace>("open_space", 10, [this](const msg::OpenSpace& m) { take(m); });
     heading_ = create_subscription<geometry_msgs::msg::TwistStamped>(
         "heading", 1, [this](const geometry_msgs::msg::TwistStamped& m) { take(m); });

@@ -64,6 +64,8 @@ class Perception {
   void take_yaw_rate(double yaw_rate_rad_s, Time_ns stamp_ns) noexcept;
   /// Judges an image and steers by it.
   [[nodiscard]] ImageAnswer take(const ImageMessage& message, Time_ns now_ns);
+  /// An image came whose bytes are no picture: counted, and told by diagnosis().
+  void take_unreadable(std::string fault, Time_ns now_ns);
   /// What was made of the image was sent off. @param stamp_ns  of Sighting.
   void sent(Time_ns stamp_ns, Time_ns now_ns) noexcept { latency_.add(now_ns - stamp_ns); }
 
@@ -90,7 +92,7 @@ class Perception {
   std::unique_ptr<Parts> parts_;  ///< settings and chain
   std::optional<CameraModel> camera_;
   std::string camera_fault_;
-  std::int64_t camera_infos_ = 0;
+  std::int64_t camera_infos_ = 0, broken_camera_infos_ = 0;
 
   StampCheck stamps_;
   LatencyMeter arrival_;  ///< of the images: what camera, driver and transport take

@@ -120,7 +120,9 @@ std::string LiveView::state_json(std::int64_t after) const {
   return dumped({{"version", ADIT_VERSION},
                  {"source", source_},
                  {"line", line_},
+                 {"began", began_s_},
                  {"settable", settable_},
+                 {"settings", revision_},
                  {"frames", number_},
                  {"rate_hz", rate_hz},
                  {"find_ms_max", number_json(true, find_ms, 1e-3)},
@@ -176,6 +178,7 @@ std::string LiveView::change(const std::string& assignment) {
   if (!settable_) return "the settings of this view cannot be changed";
   configuration_ = changed;
   changed_ = true;
+  ++revision_;
   return "";
 }
 

@@ -93,7 +93,7 @@ class LiveView {
   bool settable_, changed_ = false, ended_ = false;
   LivePlan plan_;
   std::shared_ptr<const LiveFrame> newest_;
-  std::int64_t number_ = 0;
+  std::int64_t number_ = 0, revision_ = 0;  ///< of the frame; of the settings
   std::deque<Row> rows_;
   double began_s_;
 };

@@ -1,11 +1,13 @@
 #include "view_server.hpp"
 
 #include <httplib.h>
+#include <sys/socket.h>
 
 #include <atomic>
 #include <charconv>
 #include <nlohmann/json.hpp>
 #include <random>
+#include <set>
 #include <thread>
 
 #include "adit/io/errors.hpp"
@@ -86,6 +88,18 @@ struct ViewServer::Pages {
     return at != std::string::npos && is_same(cookies.substr(at + name.size(), token.size()), token);
   }
 
+  void note_stream(std::int64_t number, bool begins) {
+    const std::scoped_lock lock(streaming_mutex);
+    if (begins)
+      streaming.insert(number);
+    else if (const auto at = streaming.find(number); at != streaming.end())
+      streaming.erase(at);
+  }
+  [[nodiscard]] bool is_streaming(std::int64_t number) {
+    const std::scoped_lock lock(streaming_mutex);
+    return streaming.contains(number);
+  }
+
   void stream(const Request& request, Response& response) {
     if (++streams > kStreamsMax) {
       --streams;
@@ -94,6 +108,8 @@ struct ViewServer::Pages {
     const PictureKind kind =
         request.get_param_value("picture") == "depth" ? PictureKind::kDepth : PictureKind::kOverlay;
     pictures.watch(kind, 1);
+    const std::int64_t number = number_in(request, "stream");
+    note_stream(number, true);
     auto last = std::make_shared<std::int64_t>(0);
     auto first = std::make_shared<bool>(true);
     response.set_content_provider(
@@ -103,16 +119,15 @@ struct ViewServer::Pages {
           // Always the newest: who is slow misses frames, and nobody waits for him.
           const auto jpeg = pictures.after(kind, *last, kWait_s);
           if (!jpeg) return true;
-          std::string head("--frame\r\nContent-Type: image/jpeg\r\nContent-Length: ");
-          head.append(std::to_string(jpeg->size())).append("\r\n\r\n");
-          // The next boundary goes with it: browsers show a part when they see its end.
-          const std::string tail = "\r\n--frame\r\n";
-          const std::size_t skip = *first ? 0 : std::string_view("--frame\r\n").size();
+          // The next part's head goes with it, so it cannot tell its length: browsers show a part when they see that
+          // the next one begins, and of a source that stands still there is no next one.
+          const std::string head = "--frame\r\nContent-Type: image/jpeg\r\n\r\n", tail = "\r\n" + head;
+          const bool begun = *first ? sink.write(head.data(), head.size()) : true;
           *first = false;
-          return sink.write(head.data() + skip, head.size() - skip) && sink.write(jpeg->data(), jpeg->size()) &&
-                 sink.write(tail.data(), tail.size());
+          return begun && sink.write(jpeg->data(), jpeg->size()) && sink.write(tail.data(), tail.size());
         },
-        [this, kind](bool) {
+        [this, kind, number](bool) {
+          note_stream(number, false);
           pictures.watch(kind, -1);
           --streams;
         });
@@ -159,6 +174,8 @@ struct ViewServer::Pages {
     });
     server.Get("/stream.mjpg", [this](const Request& q, Response& r) { stream(q, r); });
     server.Get("/state", [this](const Request& request, Response& response) {
+      // A page cannot see that its picture's stream was given up: it is told here.
+      response.set_header("Adit-Streaming", is_streaming(number_in(request, "stream")) ? "1" : "0");
       response.set_content(live->state_json(number_in(request, "after")), "application/json");
     });
     server.Get("/plan.png", [this](const Request&, Response& response) {
@@ -180,6 +197,8 @@ struct ViewServer::Pages {
   std::string token;  ///< "" where none is needed
   ViewPictures pictures;
   std::atomic<int> streams = 0;
+  std::mutex streaming_mutex;
+  std::multiset<std::int64_t> streaming;  ///< numbers that the pages gave their streams
   httplib::Server server;
   int port = 0;
   std::thread thread;
@@ -187,8 +206,12 @@ struct ViewServer::Pages {
 
 ViewServer::ViewServer(LiveView& live, const ViewAddress& address) : pages_(std::make_unique<Pages>(live, address)) {
   pages_->route();
-  // Without the library's SO_REUSEPORT, which would let two servers share a port in silence.
-  pages_->server.set_socket_options([](socket_t) {});
+  // Not the library's SO_REUSEPORT, which would let two servers share a port in silence; but who ends adit and starts
+  // it again need not wait for the kernel to forget the old connections.
+  pages_->server.set_socket_options([](socket_t socket) {
+    const int yes = 1;
+    ::setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+  });
   pages_->port = address.port > 0 ? address.port : pages_->server.bind_to_any_port(address.host.c_str());
   const bool bound =
       address.port > 0 ? pages_->server.bind_to_port(address.host.c_str(), address.port) : pages_->port > 0;

@@ -80,6 +80,66 @@ test("settings hold from the next frame on and are saved as YAML", async () => {
   assert.equal((await view.end()).code, 0);
 });
 
+/// What the picture shows now, to be compared with later.
+const pictureOf = page => page.evaluate(() => {
+  const canvas = document.createElement("canvas"), image = document.getElementById("stream");
+  canvas.width = image.naturalWidth || 1; canvas.height = image.naturalHeight || 1;
+  canvas.getContext("2d").drawImage(image, 0, 0);
+  return canvas.toDataURL("image/png");
+});
+async function untilPictureMoves(page, what) {
+  const before = await pictureOf(page);
+  await until(async () => await pictureOf(page) !== before, what);
+}
+const isOld = async page => await page.locator("#since").isVisible() && await page.locator("#now.old").count() === 1;
+
+test("picture and gauges come back after adit was started again, and what is old does not look like now", async () => {
+  const first = await serve("view", clip, "--loop");
+  const page = await openPage(first.address);
+  await until(async () => /^[1-9]\d\d/.test((await page.locator("#foot").textContent()).replace(/.*, /, "")), "100 frames", 60);
+  assert.equal(await isOld(page), false);
+  assert.equal((await first.end()).code, 0);
+  await until(() => isOld(page), "the gauges are old");
+  assert.match(await page.locator("#since").textContent(), /^no answer since \d+ s$/);
+  const second = await serve("view", clip, "--loop", "--port", new URL(first.address).port);
+  assert.equal(second.address, first.address);
+  await until(async () => !await isOld(page), "rows come, though their numbers began again", 10);
+  await untilPictureMoves(page, "the picture goes on");
+  await page.getByLabel("cluster_count").fill("5");
+  await page.keyboard.press("Tab");
+  await until(async () => /cluster_count is 5/.test(await page.locator("#said").textContent()), "its settings can be changed");
+  assert.deepEqual(page.faults.filter(text => !/Failed to load resource/.test(text)), []);
+  await page.context().close();
+  assert.equal((await second.end()).code, 0);
+});
+
+test("a stream that broke is asked for anew", async () => {
+  const view = await serve("view", clip, "--loop");
+  const page = await openPage(view.address);
+  await untilPictureMoves(page, "a picture comes");
+  await page.context().setOffline(true);
+  await until(() => isOld(page), "the gauges are old");
+  await page.context().setOffline(false);
+  await until(async () => !await isOld(page), "rows come");
+  await untilPictureMoves(page, "the picture goes on");
+  assert.deepEqual(page.faults.filter(text => !/Failed to load resource/.test(text)), []);
+  await page.context().close();
+  assert.equal((await view.end()).code, 0);
+});
+
+test("a source that stands still is told, and a setting changed elsewhere is shown here", async () => {
+  const view = await serve("view", clip);
+  const page = await openPage(view.address), other = await openPage(view.address);
+  for (const one of [page, other]) await until(async () => await one.locator(".field").count() > 10, "the settings come");
+  await other.getByLabel("cluster_count").fill("6");
+  await other.keyboard.press("Tab");
+  await until(async () => await page.getByLabel("cluster_count").inputValue() === "6", "the other page's setting is here");
+  await until(() => isOld(page), "the clip has ended: the gauges are old", 60);
+  assert.deepEqual(page.faults, []);
+  for (const one of [page, other]) await one.context().close();
+  await view.end();
+});
+
 test("a camera that sends the same frame for ever is told, as adit run tells it", async () => {
   const at = scratch();
   for (let i = 0; i < 12; ++i) copyFileSync(join(source, "data/tunnel.jpg"), join(at.folder, `${i + 10}.jpg`));
@@ -240,6 +300,16 @@ test("a flight in a folder is played again, with its map", async () => {
   await until(async () => await drawnShare(page, "#plan") > 0.01, "the map is drawn");
   await until(async () => await page.locator("#speed").textContent() === "100 %", "the share of speed is shown");
   assert.equal(await page.locator("#settings-section").isVisible(), false);
+  // At the end it begins again: no line runs from the end back to the start.
+  let again = false, before = 0;
+  await until(async () => {
+    const { steps, stamp } = await page.evaluate(() => ({ stamp: rows.at(-1)?.time ?? 0,
+      steps: way.slice(1).map(([x, y], i) => Math.hypot(x - way[i][0], y - way[i][1])) }));
+    assert.ok(Math.max(0, ...steps) < 0.5, `a step of ${Math.max(0, ...steps)} m`);
+    again ||= stamp < before;
+    before = stamp;
+    return again && stamp > 0.5;
+  }, "it begins again");
   assert.deepEqual(page.faults, []);
   await page.context().close();
   assert.equal((await view.end()).code, 0);

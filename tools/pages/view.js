@@ -2,15 +2,23 @@
 // The page of `adit view`: a stream of pictures, and the rows that came since the last look, five times a second.
 const $ = id => document.getElementById(id);
 const look_ms = 200, span_s = 60;
+const patience_ms = 2000;  // without a new frame, what is on show is called old; as long as the server waits for a viewer
 const shown = (value, digits = 2) => Number.isFinite(value) ? value.toFixed(digits) : "–";
 const colour = name => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
-let last = 0, paused = false, rows = [], state = null, settingsAsked = false;
+let last = 0, paused = false, rows = [], state = null, began = null, settingsSeen = null;
+let freshAt = performance.now(), streamAt = 0, streamNumber = 0;
 
 // --- the picture; a page that nobody sees takes no stream
 function stream() {
   const off = paused || document.hidden;
   if (off) return $("stream").removeAttribute("src");
-  $("stream").src = "stream.mjpg?picture=" + $("which").value + "&n=" + Date.now();
+  streamAt = performance.now();
+  streamNumber = Math.floor(Math.random() * 2 ** 50);  // by it the server knows which stream is whose
+  $("stream").src = "stream.mjpg?picture=" + $("which").value + "&stream=" + streamNumber;
+}
+/// A stream that the server has given up, or that broke, is asked for anew: the browser tells nobody that it ended.
+function mendStream(streaming) {
+  if (!streaming && !paused && !document.hidden && performance.now() - streamAt > patience_ms) stream();
 }
 $("which").onchange = stream;
 $("pause").onclick = () => {
@@ -53,6 +61,15 @@ function gauges() {
     : `Opening ${shown(Math.abs(row.azimuth), 0)} degrees to the ${row.azimuth < 0 ? "left" : "right"}`);
 }
 
+/// What is old must not look like now.
+function age() {
+  const old_ms = performance.now() - freshAt, old = old_ms > patience_ms;
+  $("now").classList.toggle("old", old);
+  $("since").hidden = !old;
+  $("since").textContent = `no answer since ${Math.floor(old_ms / 1000)} s`;
+}
+setInterval(age, 500);
+
 // --- charts of the last minute
 const charts = [];
 function makeCharts() {
@@ -76,6 +93,14 @@ function fillCharts() {
 
 // --- from above
 let ground = null, way = [];
+const step_m = 0.1, wayLongest = 8000;
+/// Of a way as long as anybody waits, a line that stays short enough to draw.
+function addToWay(x, y) {
+  const end = way[way.length - 1];
+  if (end && Math.hypot(x - end[0], y - end[1]) < step_m) return;
+  way.push([x, y]);
+  if (way.length > wayLongest) way = way.filter((_, i) => i % 2 === 0);
+}
 function drawPlan() {
   const row = rows[rows.length - 1];
   if (!row || row.x == null) return;
@@ -118,20 +143,30 @@ $("follow").onchange = drawPlan;
 function holdSettings(hold) {
   for (const input of document.querySelectorAll(".field input, .field select")) input.disabled = hold;
 }
+const fields = new Map();  // by "section.name"
 async function askSettings() {
-  settingsAsked = true;
-  $("flown").hidden = !state.has_plan;
-  $("settings-section").hidden = false;
-  const sections = await (await fetch("settings")).json();
-  $("settings").replaceChildren(...sections.map(({ section, fields }, i) => {
-    const part = document.createElement("details"), head = document.createElement("summary"), grid = document.createElement("div");
-    part.open = i === 0;
-    head.textContent = section;
-    grid.className = "fields";
-    grid.append(...fields.map(field => fieldOf(section, field)));
-    part.append(head, grid);
-    return part;
-  }));
+  const seen = settingsSeen = state.settings;
+  try {
+    const sections = await (await fetch("settings")).json();
+    if (fields.size) {  // somebody else may have changed them
+      for (const { section, fields: now } of sections)
+        for (const { name, value } of now) fields.get(section + "." + name)?.take(value);
+      return;
+    }
+    $("flown").hidden = !state.has_plan;
+    $("settings-section").hidden = false;
+    $("settings").replaceChildren(...sections.map(({ section, fields }, i) => {
+      const part = document.createElement("details"), head = document.createElement("summary"), grid = document.createElement("div");
+      part.open = i === 0;
+      head.textContent = section;
+      grid.className = "fields";
+      grid.append(...fields.map(field => fieldOf(section, field)));
+      part.append(head, grid);
+      return part;
+    }));
+  } catch (error) {
+    if (settingsSeen === seen) settingsSeen = null;  // the next look asks again
+  }
 }
 function fieldOf(section, field) {
   const box = document.createElement("div"), label = document.createElement("label"), note = document.createElement("small");
@@ -148,6 +183,11 @@ function fieldOf(section, field) {
   input.value = field.value;
   const mark = () => box.classList.toggle("changed", input.value !== field.default);
   mark();
+  fields.set(id, { take(value) {
+    if (input.value === field.value) input.value = value;  // what is being typed stays
+    field.value = value;
+    mark();
+  } });
   input.onchange = async () => {
     const response = await fetch("settings", { method: "POST", body: JSON.stringify({ [id]: input.value }) });
     const text = (await response.text()).trim();
@@ -166,36 +206,50 @@ $("only").onchange = () => {
 };
 
 // --- the look
+/// Another adit answers at this address: nothing of before is to be mixed with it.
+function beginAnew() {
+  began = state.began;
+  last = 0; rows = []; way = []; ground = null; settingsSeen = null;
+  fields.clear();
+  $("settings").replaceChildren();
+  $("settings-section").hidden = $("plan-section").hidden = true;
+}
+function takeRows() {
+  const fresh = state.rows.map(r => ({ number: r[0], time: r[1], status: r[2], confidence: r[3], sx: r[4], sy: r[5],
+    azimuth: r[6], yaw_rate: r[7], command: r[8], flags: r[9], speed: r[11], x: r[12], y: r[13], heading: r[14] }));
+  if (!fresh.length) return;
+  freshAt = performance.now();
+  for (const row of fresh) {
+    if (rows.length && row.time <= rows[rows.length - 1].time) rows = [], way = [];  // it began again
+    rows.push(row);
+    if (row.x != null) addToWay(row.x, row.y);
+  }
+  last = fresh[fresh.length - 1].number;
+  const old = rows[rows.length - 1].time - span_s;
+  rows = rows.slice(Math.max(0, rows.findIndex(row => row.time >= old)));
+}
 async function look() {
   try {
-    const response = await fetch("state?after=" + last);
+    const response = await fetch(`state?after=${last}&stream=${streamNumber}`, { signal: AbortSignal.timeout(2 * patience_ms) });
     if (!response.ok) throw new Error(await response.text());
     state = await response.json();
-    const fresh = state.rows.map(r => ({ number: r[0], time: r[1], status: r[2], confidence: r[3], sx: r[4], sy: r[5],
-      azimuth: r[6], yaw_rate: r[7], command: r[8], flags: r[9], speed: r[11], x: r[12], y: r[13], heading: r[14] }));
-    if (fresh.length) {
-      if (rows.length && fresh[0].time < rows[rows.length - 1].time) rows = [];
-      for (const row of fresh) {
-        if (rows.length && row.time <= rows[rows.length - 1].time) rows = [];  // it began again
-        rows.push(row);
-        if (row.x != null) way.push([row.x, row.y]);
-      }
-      last = fresh[fresh.length - 1].number;
-      const old = rows[rows.length - 1].time - span_s;
-      rows = rows.slice(Math.max(0, rows.findIndex(row => row.time >= old)));
-    }
+    if (began !== null && state.began !== began) beginAnew();  // its rows come with the next look
+    else takeRows();
+    began = state.began;
+    mendStream(response.headers.get("Adit-Streaming") === "1");
     $("source").textContent = state.source;
     $("line").textContent = state.line;
     $("line").className = "faint";
     $("foot").textContent = `adit ${state.version}, ${state.frames} frames`;
-    if (state.settable && !settingsAsked) askSettings();
-    if (settingsAsked) holdSettings(!state.settable);
+    if (state.settings !== settingsSeen && (state.settable || fields.size)) askSettings();
+    holdSettings(!state.settable);
     if (state.has_plan && $("plan-section").hidden) takePlan();
     if (!paused) { gauges(); fillCharts(); drawPlan(); }
   } catch (error) {
     $("line").textContent = "adit has ended, or cannot be reached";
     $("line").className = "bad";
   }
+  age();
   setTimeout(look, document.hidden ? 2000 : look_ms);
 }
 makeCharts();

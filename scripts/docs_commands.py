@@ -3,7 +3,8 @@
 A block ```sh is run line by line, in a scratch folder per file that has data/, courses/ and stand-ins for what a reader would
 have (flight.mp4, frames/, frame.jpg, camera.yaml). Flights, renders and benches are cut short; programs that show a page are
 ended with Ctrl-C once they have printed its address. A block that cannot be run has a line before it that says why:
-<!-- not run: REASON -->. A block without a language that begins with a command is a fault.
+<!-- not run: REASON -->. Nothing slips by for its language: bash, shell and console are refused (write sh), and so is a block
+without a language; what is no commands is written as text, and text that begins with a program of ours needs a reason, too.
 """
 
 import json
@@ -61,6 +62,20 @@ def blocks_of(text):
             reason = ""
 
 
+OUR_PROGRAMS = r"(\$ |adit|(scripts|jobs|build)/\S+|cmake|ctest|sbatch|ffmpeg|docker|pip|apt-get|sudo|ros2|colcon)( |$)"
+
+
+def fault_of(language, reason, commands):
+    """Why a block would be neither run nor excused; "" when it is fine."""
+    if language == "":
+        return "a block without a language: write ```sh for commands, ```text for what is none"
+    if language in ("bash", "shell", "console", "zsh", "shell-session"):
+        return f"commands in a block of {language}: write ```sh, or nobody runs them"
+    if language == "text" and not reason and any(re.match(OUR_PROGRAMS, c) for c in commands):
+        return "commands in a block of text: write ```sh, or <!-- not run: why -->"
+    return ""
+
+
 def furnish(folder, adit):
     for name in ("data", "courses"):
         (folder / name).symlink_to(ROOT / name)
@@ -90,8 +105,8 @@ def run_file(path, adit):
         for line, language, reason, lines in blocks_of(path.read_text(encoding="utf-8")):
             commands = [c for c in lines if c.strip() and not c.lstrip().startswith("#")]
             place = f"{path.relative_to(ROOT)}:{line}"
-            if language == "" and commands and re.match(r"(adit|scripts/\w+|cmake|ctest) ", commands[0] + " ") and not reason:
-                faults.append(f"{place}: commands in a block without a language: write ```sh, or <!-- not run: why -->")
+            if fault := fault_of(language, reason, commands):
+                faults.append(f"{place}: {fault}")
             if language != "sh":
                 continue
             if reason:

@@ -186,10 +186,17 @@ async function openCamera() {
   say("");
   const number = running;
   try {
-    video.srcObject = await navigator.mediaDevices.getUserMedia({video: {width: 640, height: 480, frameRate: 30}});
+    const camera = await navigator.mediaDevices.getUserMedia({video: {width: 640, height: 480, frameRate: 30}});
+    if (number !== running) {  // while the browser asked, the page went on to something else
+      for (const track of camera.getTracks()) track.stop();
+      return;
+    }
+    video.srcObject = camera;
     await video.play();
     follow(number);
   } catch (error) {
+    if (number !== running) return;
+    stop();
     say(`The camera cannot be opened: ${error.message}`);
   }
 }

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The docs site builds without a broken link or anchor, and every command it shows runs.
+# The docs site builds without a broken link or anchor, every command it shows runs, and so does the demo.
 . "$(dirname "${BASH_SOURCE[0]}")/prelude.sh"
 scripts/docs
 tally 1 0 0
@@ -12,3 +12,18 @@ else
   tally 0 1 0
   exit 1
 fi
+
+# README's first command, whole but for installing and building, which every phase does: the clip, as in a fresh clone.
+begin=$SECONDS
+rm -rf out/demo
+quietly demo scripts/demo --clip --program build/release/adit
+for left in headings.csv headings.mp4 explain.png flight/fig3.png flight/fig4.png flight/flight.csv flight/flight.mp4; do
+  if [ ! -s "out/demo/$left" ]; then
+    echo "scripts/demo left no out/demo/$left"
+    tally 0 1 0
+    exit 1
+  fi
+done
+grep -A3 '^open space ' build/demo.log
+echo "scripts/demo ran in $((SECONDS - begin)) s"
+tally 1 0 0

@@ -69,6 +69,11 @@ test("a click into a chart, the map or the table of events goes to the frame", a
   const over = page.locator("#charts .u-over").first(), box = await over.boundingBox();
   await over.click({ position: { x: box.width * 0.5, y: 40 } });
   await until(async () => Math.abs(await row(page) - 30) <= 3, "the middle of the chart is the middle of the flight");
+  await until(() => page.evaluate(() => {
+    const mark = document.getElementById("status-now").getBoundingClientRect(), strip = document.getElementById("status")
+      .getBoundingClientRect();
+    return mark.height > 0 && Math.abs((mark.left + mark.width / 2 - strip.left) / strip.width - 0.5) < 0.06;
+  }), "the strip of the status has its mark there, too");
   const first = await page.locator("#picture").getAttribute("aria-label");
   await over.click({ position: { x: box.width * 0.9, y: 40 } });
   await until(async () => await page.locator("#picture").getAttribute("aria-label") !== first, "the frame changes");

@@ -87,6 +87,7 @@ function drawStatus() {
     return key;
   }));
 }
+function drawStatusNow() { $("status-now").style.left = 100 * time[at] / (time[rows - 1] || 1) + "%"; }
 $("status").addEventListener("click", e => {
   go(lastAt(time, e.offsetX / $("status").clientWidth * time[rows - 1]));
 });

@@ -45,6 +45,7 @@ function go(row) {
     showStages(at);
     drawMap();
     for (const plot of plots) { drawNow(plot); plot.setLegend({ idx: at }); }
+    drawStatusNow();
   });
 }
 slider.addEventListener("input", () => go(Number(slider.value)));

@@ -59,15 +59,16 @@ CuspFit::CuspFit(const CellGrid& grid, const Camera& camera, int block, double h
   shading_.resize(patches);
   share_.resize(patches);
   make_quadratics();
-  draw_cusps(grid, camera);
+  std::vector<Bearing> bearings;
   const double spread_rad = horizon_spread_deg * std::numbers::pi / 180.0;
   for (int v = 0; v < height_; ++v) {
     for (int u = 0; u < width_; ++u) {
-      const Pixel middle{grid.u_px((u + 0.5) * patch_ - 0.5), grid.v_px((v + 0.5) * patch_ - 0.5)};
-      const double away = camera.bearing_of(middle).elevation_rad / spread_rad;
+      bearings.push_back(camera.bearing_of({grid.u_px((u + 0.5) * patch_ - 0.5), grid.v_px((v + 0.5) * patch_ - 0.5)}));
+      const double away = bearings.back().elevation_rad / spread_rad;
       prior_.push_back(static_cast<float>(std::exp(-0.5 * away * away)));
     }
   }
+  draw_cusps(bearings);
   of_u_ = places(grid.width(), patch_, width_);
   of_v_ = places(grid.height(), patch_, height_);
   weight_.resize(static_cast<std::size_t>(height_) * of_u_.size());
@@ -107,13 +108,7 @@ void CuspFit::make_quadratics() {
   }
 }
 
-void CuspFit::draw_cusps(const CellGrid& grid, const Camera& camera) {
-  std::vector<Bearing> bearings;
-  for (int v = 0; v < height_; ++v) {
-    for (int u = 0; u < width_; ++u) {
-      bearings.push_back(camera.bearing_of({grid.u_px((u + 0.5) * patch_ - 0.5), grid.v_px((v + 0.5) * patch_ - 0.5)}));
-    }
-  }
+void CuspFit::draw_cusps(const std::vector<Bearing>& bearings) {
   const std::size_t count = bearings.size();
   cusps_.resize(count * count);
   std::vector<float> cusp(count);

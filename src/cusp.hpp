@@ -43,7 +43,8 @@ class CuspFit {
   };
   static std::vector<Between> places(int cells, int patch, int patches);
   void make_quadratics();
-  void draw_cusps(const CellGrid& grid, const Camera& camera);
+  /// @param bearings  of the middles of the patches.
+  void draw_cusps(const std::vector<Bearing>& bearings);
   void take_quadratic(float* values) const noexcept;
   void average(const std::vector<double>& log_light) noexcept;
   void rate_directions() noexcept;

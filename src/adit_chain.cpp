@@ -116,8 +116,9 @@ void AditChain::find(const FinderConfig& config, const Camera& camera, OpenSpace
   note_levels(out);
   const VeilSight veil = veil_fit_.judge(cleaned_);
   note_flags(config, veil, out);
-  cusp_.judge(veil_fit_.log_light());
   const bool veil_off = out.veil_fraction >= kVeilOffMin;
+  // In dust neither the search nor the odds look at it.
+  if (!(out.flags.dust && veil_off)) cusp_.judge(veil_fit_.log_light());
   if (veil_off) {
     veil_fit_.take_off(cleaned_, lobe_on_cells_, light_);
   } else {

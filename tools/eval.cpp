@@ -139,8 +139,9 @@ ExitCode run(Options& options, const std::vector<std::string>& arguments) {
   }
   if (!options.json.empty()) io::write_file(options.json, eval_json(work, result));
   if (!options.csv.empty() && options.csv != "-") io::write_file(options.csv, eval_csv(work, result));
-  if (!options.gallery.empty()) write_gallery(options.gallery, work, result);
-  if (!options.report.empty()) write_gallery(options.report, work, result);
+  const ReportOrigin origin = origin_now(io::to_yaml(configuration), io::to_yaml({}));
+  for (const std::string* path : {&options.gallery, &options.report})
+    if (!path->empty()) write_gallery(*path, work, result, origin);
   const std::string text = options.csv == "-" ? eval_csv(work, result) : eval_text(work, result);
   io::OutputFile out("-");
   out.write(text);

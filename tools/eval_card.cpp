@@ -76,10 +76,11 @@ std::string frame_card(const EvalFrame& frame, const JudgedFrame& judged, const 
   }
   std::string card = fmt::format("<figure class=\"card\" data-set=\"{}\"{}>\n", html_of(set.name), verdicts);
   card += fmt::format(
+      "<button type=\"button\" aria-expanded=\"false\" aria-label=\"Enlarge {4}\">"
       "<svg viewBox=\"-0.5 -0.5 {0} {1}\" style=\"--w:{2:.2f}px\"><image x=\"-0.5\" y=\"-0.5\" href=\"{3}\" "
       "width=\"{0}\" height=\"{1}\"/>",
-      judged.width, judged.height, judged.width / 320.0, html_of(picture));
-  card += truth_marks(frame, judged, unit_px) + marks + "</svg>\n";
+      judged.width, judged.height, judged.width / 320.0, html_of(picture), html_of(frame.name));
+  card += truth_marks(frame, judged, unit_px) + marks + "</svg></button>\n";
   const char* scene = frame.truth.scene == eval::Scene::kOpen   ? ""
                       : frame.truth.scene == eval::Scene::kNone ? " &middot; no opening"
                                                                 : " &middot; undecided";

@@ -9,9 +9,9 @@
 namespace adit::tools {
 namespace {
 
-constexpr double kSide = 180.0;  ///< of the square, in units of the picture
-constexpr double kLeft = 46.0, kTop = 26.0;
-constexpr double kDotArea = 500.0;  ///< of all answers in one bin
+constexpr double kSide = 180.0;                             ///< of the square, in units of the picture
+constexpr double kLeft = 46.0, kTop = 44.0, kRight = 24.0;  // the largest dot clears name and edge
+constexpr double kDotArea = 500.0;                          ///< of all answers in one bin
 
 double x_of(double confidence) { return kLeft + kSide * confidence; }
 double y_of(double right) { return kTop + kSide * (1.0 - right); }
@@ -40,8 +40,10 @@ std::string frame_and_ticks() {
 std::string reliability_diagram(const std::string& title, const eval::Figures& figures, const char* colour) {
   double total = 0.0;
   for (const eval::ReliabilityBin& bin : figures.reliability) total += bin.count;
-  std::string svg = fmt::format("<svg class=\"reliability\" viewBox=\"0 0 {:.0f} {:.0f}\" role=\"img\">",
-                                kLeft + kSide + 12.0, kTop + kSide + 34.0);
+  std::string svg = fmt::format(
+      "<svg class=\"reliability\" viewBox=\"0 0 {:.0f} {:.0f}\" role=\"img\" "
+      "aria-label=\"Reliability of {}: calibration error {:.2f}\">",
+      kLeft + kSide + kRight, kTop + kSide + 34.0, html_of(title), figures[eval::Figure::kCalibrationError].value);
   svg += fmt::format("<text x=\"{}\" y=\"16\" class=\"name\">{}: error {:.2f}</text>", kLeft, html_of(title),
                      figures[eval::Figure::kCalibrationError].value);
   svg += frame_and_ticks();

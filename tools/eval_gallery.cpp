@@ -111,10 +111,10 @@ std::string sets_of(const EvalResult& result) {
   return html;
 }
 
-std::string filled(std::string page, const std::vector<std::pair<std::string, std::string>>& parts) {
-  for (const auto& [name, text] : parts)
-    if (const std::size_t at = page.find(name); at != std::string::npos) page.replace(at, name.size(), text);
-  return page;
+std::string items_of(const std::vector<std::string>& texts) {
+  std::string html;
+  for (const std::string& text : texts) html += "<li>" + html_of(text) + "</li>";
+  return html;
 }
 
 }  // namespace
@@ -126,42 +126,25 @@ const char* method_colour(std::size_t row) noexcept {
   return kColours[row % kColours.size()];
 }
 
-std::string html_of(std::string_view text) {
-  std::string html;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        html += "&amp;";
-        break;
-      case '<':
-        html += "&lt;";
-        break;
-      case '>':
-        html += "&gt;";
-        break;
-      case '"':
-        html += "&quot;";
-        break;
-      case '\'':
-        html += "&#39;";
-        break;
-      default:
-        html += c;
-    }
-  }
-  return html;
-}
-
-void write_gallery(const fs::path& path, const EvalWork& work, const EvalResult& result) {
+void write_gallery(const fs::path& path, const EvalWork& work, const EvalResult& result, const ReportOrigin& origin) {
   const bool one_file = path.extension() == ".html";
   const fs::path thumbs = one_file ? fs::path() : path / "thumbs";
   if (!one_file) io::make_folder(thumbs);
-  // The cards last: what stands in them is not looked through for names of parts.
-  const std::string page = filled(std::string(gallery_page()), {{"@SUMMARY@", html_of(eval_text(work, result))},
-                                                                {"@DIAGRAMS@", diagrams_of(result)},
-                                                                {"@METHODS@", methods_of(result.sets.back())},
-                                                                {"@SETS@", sets_of(result)},
-                                                                {"@CARDS@", cards_of(work, result, thumbs)}});
+  const std::string page =
+      filled_page(gallery_page(), {{"@PICTURES@", one_file ? "" : "'self' file:"},
+                                   {"@CSS@", std::string(look_css())},
+                                   {"@COMMAND@", html_of(origin.command)},
+                                   {"@SUMMARY@", html_of(eval_text(work, result))},
+                                   {"@DIAGRAMS@", diagrams_of(result)},
+                                   {"@METHODS@", methods_of(result.sets.back())},
+                                   {"@SETS@", sets_of(result)},
+                                   {"@CARDS@", cards_of(work, result, thumbs)},
+                                   {"@VERSION@", "adit " + html_of(origin.version)},
+                                   {"@CHANGED_HEAD@", origin.changed.empty() ? "All settings are the defaults."
+                                                                             : "Settings that are not the defaults:"},
+                                   {"@CHANGED@", items_of(origin.changed)},
+                                   {"@SETTINGS@", html_of(origin.settings)},
+                                   {"@JS@", std::string(gallery_js())}});
   io::write_file(one_file ? path : path / "index.html", page);
 }
 

@@ -4,13 +4,16 @@
 #include <filesystem>
 
 #include "eval_work.hpp"
+#include "report.hpp"
 
 namespace adit::tools {
 
 /// One HTML page that needs no network and nothing else.
 /// @param path  NAME.html: one file, pictures within; anything else: a folder with index.html and thumbs/.
+/// @param origin  version, command and settings, which the page ends with.
 /// @throws io::OutputError
-void write_gallery(const std::filesystem::path& path, const EvalWork& work, const EvalResult& result);
+void write_gallery(const std::filesystem::path& path, const EvalWork& work, const EvalResult& result,
+                   const ReportOrigin& origin);
 
 /// "#e69f00": of the method in a row of the table.
 [[nodiscard]] const char* method_colour(std::size_t row) noexcept;

@@ -8,8 +8,9 @@
 
 namespace adit::tools {
 
-/// Of `adit eval --gallery`; @SUMMARY@, @DIAGRAMS@, @METHODS@, @SETS@ and @CARDS@ are to be filled in.
+/// Of `adit eval --gallery`; its parts are filled in by write_gallery().
 [[nodiscard]] std::string_view gallery_page();
+[[nodiscard]] std::string_view gallery_js();
 /// Of `adit report`; @TITLE@, @CSS@, @JS@, @UPLOT_CSS@, @UPLOT_JS@ and @REPORT@ are to be filled in.
 [[nodiscard]] std::string_view report_page();
 /// Its script, in four parts that follow one another.
@@ -17,7 +18,7 @@ namespace adit::tools {
 [[nodiscard]] std::string_view report_charts_js();
 [[nodiscard]] std::string_view report_map_js();
 [[nodiscard]] std::string_view report_scrubber_js();
-/// How the pages of `adit report` and `adit view` look.
+/// How the pages of `adit report`, `adit view` and `adit eval` look.
 [[nodiscard]] std::string_view look_css();
 /// third_party/uPlot.
 [[nodiscard]] std::string_view uplot_js();

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The pages of `adit report` and `adit view` in headless Chromium: load, scrub, click, live, phone, keyboard, axe-core.
+# The pages of `adit report`, `adit view` and `adit eval` in headless Chromium: load, scrub, click, live, phone, keyboard, axe-core.
 . "$(dirname "${BASH_SOURCE[0]}")/prelude.sh"
 # Playwright runs on Node 20 and later; plain Debian 12 has 18.
 node_major=$(node -p 'process.versions.node.split(".")[0]' 2>/dev/null || echo 0)

@@ -172,9 +172,13 @@ TEST(Eval, GalleryHasEveryFrameAndAnswerAndNeedsNothingElse) {
   // What people name cannot become part of the page, and nothing is fetched.
   EXPECT_EQ(page.find("<b>& "), std::string::npos);
   EXPECT_NE(page.find("&lt;b&gt;&amp; &quot;x&quot;"), std::string::npos);
+  EXPECT_NE(page.find("default-src 'none'; img-src data: ;"), std::string::npos) << "its own policy";
+  EXPECT_NE(page.find("<p id=\"made\">adit "), std::string::npos);
+  EXPECT_NE(page.find("All settings are the defaults."), std::string::npos);
   for (const char* outside : {"http:", "https:", "src=", "@CARDS@", "@SUMMARY@", "@METHODS@", "nan"})
     EXPECT_EQ(count_of(page, outside), 0) << outside;
-  for (const char* tag : {"figure", "svg", "g", "ul", "li", "main", "select", "style", "script", "figcaption"})
+  for (const char* tag : {"figure", "svg", "g", "ul", "li", "main", "select", "style", "script", "figcaption", "button",
+                          "section", "details", "pre"})
     EXPECT_EQ(count_of(page, std::string("<") + tag + " ") + count_of(page, std::string("<") + tag + ">"),
               count_of(page, std::string("</") + tag + ">"))
         << tag;
@@ -183,10 +187,14 @@ TEST(Eval, GalleryHasEveryFrameAndAnswerAndNeedsNothingElse) {
 TEST(Eval, GalleryAsAFolderHasItsPicturesBesideIt) {
   const ScratchFolder folder;
   const std::string set = write_set(folder / "drift", draw_set(folder / "drift"));
-  ASSERT_EQ(run_adit({"eval", set, "--gallery", (folder / "g").string(), "--quiet"}).exit_code, 0);
+  const auto gallery = (folder / "g").string();
+  ASSERT_EQ(run_adit({"eval", set, "--gallery", gallery, "--set", "finder.cluster_count=8", "--quiet"}).exit_code, 0);
   const std::string page = read_text(folder / "g/index.html");
   EXPECT_EQ(count_of(page, "href=\"thumbs/00_0000"), 4);
   EXPECT_EQ(count_of(page, "data:image"), 0);
+  EXPECT_NE(page.find("img-src data: 'self' file:;"), std::string::npos);
+  EXPECT_NE(page.find("<li>finder.cluster_count: 8</li>"), std::string::npos);
+  EXPECT_NE(page.find(gallery), std::string::npos) << "the command";
   for (const char* name : {"00_00000.jpg", "00_00003.jpg"})
     EXPECT_TRUE(read_text(folder / "g/thumbs" / name).starts_with("\xff\xd8\xff"));
   write_text(folder / "file", "");

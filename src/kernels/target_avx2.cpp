@@ -37,17 +37,27 @@ inline int most(Bytes a) {
   return most_of_16(_mm_max_epu8(_mm256_castsi256_si128(a.v), _mm256_extracti128_si256(a.v, 1)));
 }
 
-// 16 columns of two rows.
-inline Bytes load_16_wide(const std::uint8_t* p, std::ptrdiff_t stride) {
-  return {_mm256_loadu2_m128i(reinterpret_cast<const __m128i*>(p + stride), reinterpret_cast<const __m128i*>(p))};
+// For counting levels in bits.
+inline Bytes plus(Bytes a, Bytes b) { return {_mm256_add_epi8(a.v, b.v)}; }
+inline Bytes plus_saturated(Bytes a, Bytes b) { return {_mm256_adds_epu8(a.v, b.v)}; }
+inline Bytes either(Bytes a, Bytes b) { return {_mm256_or_si256(a.v, b.v)}; }
+
+// Bit i of a byte for the indices 8 + i, as long as the top bit is clear.
+inline Bytes picked(Bytes index) {
+  const __m256i bits = _mm256_broadcastsi128_si256(_mm_setr_epi8(0, 0, 0, 0, 0, 0, 0, 0, 1, 2, 4, 8, 16, 32, 64, -128));
+  return {_mm256_shuffle_epi8(bits, index.v)};
 }
 
-// How often `level` stands in a tile of 256 bytes.
-inline std::uint32_t occurrences(const Bytes* tile, std::uint8_t level) {
-  const __m256i wanted = _mm256_set1_epi8(static_cast<char>(level));
-  __m256i count = _mm256_setzero_si256();
-  for (int i = 0; i < 8; ++i) count = _mm256_sub_epi8(count, _mm256_cmpeq_epi8(tile[i].v, wanted));
-  return sum({count});
+// sum + a + b, bit by bit: the low bits stay in `sum`.
+inline void add_bits(Bytes& sum, Bytes a, Bytes b, Bytes& carry) {
+  const __m256i one_of_two = _mm256_xor_si256(a.v, b.v);
+  carry.v = _mm256_or_si256(_mm256_and_si256(a.v, b.v), _mm256_and_si256(sum.v, one_of_two));
+  sum.v = _mm256_xor_si256(sum.v, one_of_two);
+}
+
+inline std::uint32_t ones_at(Bytes a, int bit) {
+  const int set = _mm256_movemask_epi8(_mm256_sll_epi16(a.v, _mm_cvtsi32_si128(7 - bit)));
+  return static_cast<std::uint32_t>(__builtin_popcount(static_cast<unsigned>(set)));
 }
 
 #include "blocks_sse41.inl"
@@ -56,6 +66,7 @@ constexpr int kTripletBlock = 16;
 constexpr int kTripletExtra = 2;
 inline void triplet_minimum_block(const std::uint8_t* p, std::uint8_t* to) { triplet_minimum_16(p, to); }
 
+#include "level_bits.inl"
 #include "loops.inl"
 
 }  // namespace

@@ -43,22 +43,26 @@ inline int most(Bytes a) {
       _mm_max_epu8(_mm_max_epu8(quarter(a, 0), quarter(a, 1)), _mm_max_epu8(quarter(a, 2), quarter(a, 3))));
 }
 
-// 16 columns of four rows.
-inline Bytes load_16_wide(const std::uint8_t* p, std::ptrdiff_t stride) {
-  const auto row = [&](int v) { return _mm_loadu_si128(reinterpret_cast<const __m128i*>(p + v * stride)); };
-  const __m256i low = _mm256_inserti128_si256(_mm256_castsi128_si256(row(0)), row(1), 1);
-  const __m256i high = _mm256_inserti128_si256(_mm256_castsi128_si256(row(2)), row(3), 1);
-  return {_mm512_inserti64x4(_mm512_castsi256_si512(low), high, 1)};
+// For counting levels in bits.
+inline Bytes plus(Bytes a, Bytes b) { return {_mm512_add_epi8(a.v, b.v)}; }
+inline Bytes plus_saturated(Bytes a, Bytes b) { return {_mm512_adds_epu8(a.v, b.v)}; }
+inline Bytes either(Bytes a, Bytes b) { return {_mm512_or_si512(a.v, b.v)}; }
+
+// Bit i of a byte for the indices 8 + i, as long as the top bit is clear.
+inline Bytes picked(Bytes index) {
+  const __m512i bits = _mm512_broadcast_i32x4(_mm_setr_epi8(0, 0, 0, 0, 0, 0, 0, 0, 1, 2, 4, 8, 16, 32, 64, -128));
+  return {_mm512_shuffle_epi8(bits, index.v)};
 }
 
-// How often `level` stands in a tile of 256 bytes.
-inline std::uint32_t occurrences(const Bytes* tile, std::uint8_t level) {
-  const __m512i wanted = _mm512_set1_epi8(static_cast<char>(level));
-  std::uint64_t count = 0;
-  for (int i = 0; i < 4; ++i) {
-    count += static_cast<std::uint64_t>(__builtin_popcountll(_mm512_cmpeq_epu8_mask(tile[i].v, wanted)));
-  }
-  return static_cast<std::uint32_t>(count);
+// sum + a + b, bit by bit: the low bits stay in `sum`.
+inline void add_bits(Bytes& sum, Bytes a, Bytes b, Bytes& carry) {
+  carry.v = _mm512_ternarylogic_epi64(sum.v, a.v, b.v, 0xE8);
+  sum.v = _mm512_ternarylogic_epi64(sum.v, a.v, b.v, 0x96);
+}
+
+inline std::uint32_t ones_at(Bytes a, int bit) {
+  const __mmask64 set = _mm512_test_epi8_mask(a.v, _mm512_set1_epi8(static_cast<char>(1 << bit)));
+  return static_cast<std::uint32_t>(__builtin_popcountll(set));
 }
 
 #include "blocks_sse41.inl"
@@ -94,6 +98,7 @@ inline void triplet_minimum_block(const std::uint8_t* p, std::uint8_t* to) {
   _mm512_storeu_si512(to, _mm512_or_si512(low, _mm512_shuffle_epi8(z, third)));
 }
 
+#include "level_bits.inl"
 #include "loops.inl"
 
 }  // namespace

@@ -60,6 +60,7 @@ inline std::uint64_t masked_triplet_sum(const std::uint8_t* p, const std::uint8_
          vaddlvq_u8(vandq_u8(channel.val[1], mask)) + vaddlvq_u8(vandq_u8(channel.val[2], mask));
 }
 
+#include "level_tiles.inl"
 #include "loops.inl"
 
 }  // namespace

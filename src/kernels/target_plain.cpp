@@ -100,6 +100,7 @@ inline std::uint64_t masked_triplet_sum(const std::uint8_t* p, const std::uint8_
   return total;
 }
 
+#include "level_tiles.inl"
 #include "loops.inl"
 
 }  // namespace

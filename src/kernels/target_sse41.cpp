@@ -49,6 +49,7 @@ constexpr int kTripletBlock = 16;
 constexpr int kTripletExtra = 2;
 inline void triplet_minimum_block(const std::uint8_t* p, std::uint8_t* to) { triplet_minimum_16(p, to); }
 
+#include "level_tiles.inl"
 #include "loops.inl"
 
 }  // namespace

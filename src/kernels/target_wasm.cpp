@@ -101,6 +101,7 @@ inline std::uint64_t masked_triplet_sum(const std::uint8_t* p, const std::uint8_
          sum({wasm_v128_and(t.c, mask)});
 }
 
+#include "level_tiles.inl"
 #include "loops.inl"
 
 }  // namespace

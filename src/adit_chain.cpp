@@ -85,6 +85,7 @@ AditChain::AditChain(const FinderConfig& config, const Camera& camera, int frame
       grid_(frame_width_px, frame_height_px),
       rows_(frame_width_px),
       filter_(grid_.width(), grid_.height()),
+      noise_floor_(config.light_gamma),
       enclosing_(grid_.width(), grid_.height()),
       search_(grid_.width(), grid_.height()),
       veil_fit_(grid_, camera, config),
@@ -112,8 +113,11 @@ void AditChain::take(const ImageView& frame, const FinderConfig& config) noexcep
 
 void AditChain::find(const FinderConfig& config, const Camera& camera, OpenSpace& out) noexcept {
   cleaned_.values = level_.values;
+  const double floor_share = NoiseFloor::floor_share(NoiseFloor::noise_share(level_));
+  if (floor_share > 0.0) blur(cleaned_, filter_);  // before least and most are picked, which would be noise
   clean();
   note_levels(out);
+  if (floor_share > 0.0) noise_floor_.take_off(floor_share, cleaned_);
   const VeilSight veil = veil_fit_.judge(cleaned_);
   note_flags(config, veil, out);
   const bool veil_off = out.veil_fraction >= kVeilOffMin;

@@ -5,6 +5,7 @@
 #include "adit/finder.hpp"
 #include "cusp.hpp"
 #include "enclosure.hpp"
+#include "noise_floor.hpp"
 #include "opening_search.hpp"
 #include "veil.hpp"
 
@@ -47,6 +48,7 @@ class AditChain {
   CellGrid grid_;
   ReductionRows rows_;
   FilterScratch filter_;
+  NoiseFloor noise_floor_;
   EnclosureScratch enclosing_;
   SearchScratch search_;
   VeilFit veil_fit_;

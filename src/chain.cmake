@@ -20,6 +20,7 @@ target_sources(adit_core PRIVATE
   lobe.cpp
   names.cpp
   navigator.cpp
+  noise_floor.cpp
   opening_search.cpp
   range_memory.cpp
   reduced_frame.cpp

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <bitset>
 #include <cmath>
 #include <cstring>
@@ -35,16 +36,26 @@ using RowMarks = std::bitset<kSideMax_px>;
 
 /// The brightest `fraction` of a dark channel: tail.floor is the smallest level that belongs to it.
 kernels::BrightTail brightest_of(ConstPlaneView dark, double fraction, RowMarks& rows) {
+  const kernels::PixelLoops& loops = kernels::pixel_loops();
   const double pixels = static_cast<double>(dark.width) * dark.height;
   kernels::BrightTail tail;
   tail.wanted = static_cast<std::uint64_t>(std::max(1.0, std::ceil(fraction * pixels)));
-  // Every 64th row first: the floor then stands near its final place, and of the rest little has to be counted.
-  constexpr int kRowStep = 64;
-  for (int first = 0; first < kRowStep; ++first) {
-    for (int v = first; v < dark.height; v += kRowStep) {
-      // The floor only rises: what was below it stays below.
-      rows[static_cast<std::size_t>(v)] = kernels::pixel_loops().count_tail(dark.row(v), dark.width, &tail);
-    }
+  // The brightest rows first: the floor then stands near its final place at once, and few rows reach up to it.
+  std::array<std::uint8_t, kSideMax_px> brightest;
+  std::array<std::uint16_t, 257> rank{};  // of the first row that is so bright: rows that are brighter
+  for (int v = 0; v < dark.height; ++v) {
+    brightest[static_cast<std::size_t>(v)] = loops.largest_level(dark.row(v), dark.width);
+    ++rank[brightest[static_cast<std::size_t>(v)]];
+  }
+  for (std::size_t level = 256; level > 0; --level) rank[level - 1] = rank[level - 1] + rank[level];
+  std::array<std::uint16_t, kSideMax_px> order;
+  for (int v = 0; v < dark.height; ++v) {
+    order[rank[brightest[static_cast<std::size_t>(v)] + 1U]++] = static_cast<std::uint16_t>(v);
+  }
+  for (int i = 0; i < dark.height; ++i) {
+    const std::size_t v = order[static_cast<std::size_t>(i)];
+    if (brightest[v] < tail.floor) break;
+    rows[v] = loops.count_tail(dark.row(static_cast<int>(v)), dark.width, &tail);
   }
   return tail;
 }

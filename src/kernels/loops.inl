@@ -54,22 +54,34 @@ void best_in_row(const std::uint8_t* const* list, std::uint8_t* out, int width) 
       });
 }
 
+// One pointer runs, and the operands lie at fixed distances from it: a store with a plain address leaves the ports of
+// the loads alone, and they are what the loop waits for.
 template <class Order, int kCount>
 void best_in_rows(const std::uint8_t* const* list, std::uint8_t* out, std::ptrdiff_t pitch, int width, int rows) {
-  const std::uint8_t* from[kCount];
-  for (int i = 0; i < kCount; ++i) from[i] = list[i];
+  constexpr int kLanes = Bytes::kLanes;
+  std::ptrdiff_t to[kCount];
+  for (int i = 0; i < kCount; ++i) {
+    to[i] = reinterpret_cast<std::intptr_t>(list[i]) - reinterpret_cast<std::intptr_t>(out);
+  }
+  const auto best = [&](const std::uint8_t* at) {
+    Bytes value = load(at + to[0]);
+    for (int i = 1; i < kCount; ++i) value = Order::of(value, load(at + to[i]));
+    return value;
+  };
   std::ptrdiff_t length = width;
   if (length == pitch) {  // one long row
     length *= rows;
     rows = 1;
   }
-  for (std::ptrdiff_t begin = 0; rows > 0; --rows, begin += pitch) {
-    std::ptrdiff_t x = begin;
-    for (; x + 2 * Bytes::kLanes <= begin + length; x += 2 * Bytes::kLanes) {
-      store(out + x, best_at<Order>(from, x));
-      store(out + x + Bytes::kLanes, best_at<Order>(from, x + Bytes::kLanes));
+  for (; rows > 0; --rows, out += pitch) {
+    std::uint8_t* at = out;
+    std::uint8_t* const end = out + length;
+    for (; at + 2 * kLanes <= end; at += 2 * kLanes) {
+      const Bytes first = best(at), second = best(at + kLanes);
+      store(at, first);
+      store(at + kLanes, second);
     }
-    if (x < begin + length) store(out + x, best_at<Order>(from, x));
+    if (at < end) store(at, best(at));
   }
 }
 
@@ -160,6 +172,23 @@ void grey16_to_8(const std::uint8_t* from, int shift, std::uint8_t* to, int widt
         const unsigned level = static_cast<unsigned>(value) >> shift;
         return static_cast<std::uint8_t>(level < 255u ? level : 255u);
       });
+}
+
+std::uint8_t largest_level(const std::uint8_t* row, int width) {
+  constexpr int kLanes = Bytes::kLanes;
+  int level = 0;
+  if (width < kLanes) {
+    for (int x = 0; x < width; ++x) level = row[x] > level ? row[x] : level;
+    return static_cast<std::uint8_t>(level);
+  }
+  Bytes one = load(row), other = load(row + width - kLanes);
+  int x = kLanes;
+  for (; x + 2 * kLanes <= width; x += 2 * kLanes) {
+    one = largest(one, load(row + x));
+    other = largest(other, load(row + x + kLanes));
+  }
+  if (x + kLanes <= width) one = largest(one, load(row + x));
+  return static_cast<std::uint8_t>(most(largest(one, other)));
 }
 
 // Counts values that may be among the brightest `wanted`. Rises `floor` (see BrightTail) as it learns more. Bright
@@ -302,6 +331,7 @@ constexpr PixelLoops kLoops = {Bytes::kLanes,
                                quad_minimum,
                                grey16_to_8,
                                count_levels,
+                               largest_level,
                                count_tail,
                                count_mask,
                                sum_where_bright,

@@ -59,6 +59,7 @@ struct PixelLoops {
   /// Adds the values of a plane to 256 counters.
   void (*count_levels)(const std::uint8_t* plane, std::ptrdiff_t stride, int width, int height,
                        std::uint32_t* counters);
+  std::uint8_t (*largest_level)(const std::uint8_t* row, int width);
   /// Takes one more row into the tail. False if no value of it can be among the brightest `wanted`.
   bool (*count_tail)(const std::uint8_t* row, int width, BrightTail* tail);
   /// Adds 1 to columns[x] for each row whose value there is at most `last_level`; rows[v] = how many in row v.

@@ -71,6 +71,7 @@ cv::Mat mat_of(const ImageView& view) {
 std::string flight_csv_header() {
   return "frame,stamp_s,x_m,y_m,z_m,roll_deg,pitch_deg,yaw_deg,vx_m_s,vy_m_s,vz_m_s,height_m,delivery,status,"
          "confidence,u_px,v_px,sx,sy,azimuth_deg,elevation_deg,area_fraction,flags,command,yaw_rate_rad_s,speed_scale,"
+         "manoeuvre,track,track_azimuth_deg,"
          "passage_azimuth_deg,passage_elevation_deg,deepest_azimuth_deg,deepest_elevation_deg,deepest_range_m,"
          "branch_azimuths_deg,opening_in_sight,clearance_m,side_clearance_m,aside_m,progress_m,to_goal_m\n";
 }
@@ -101,6 +102,11 @@ std::string flight_csv_line(const sim::FlightRow& row) {
   line.append(",").append(to_string(row.command.state));
   add_cell(line, row.command.yaw_rate_rad_s, 5);
   add_cell(line, row.speed_scale, 3);
+  line.append(",");
+  if (row.manoeuvre) line.append(to_string(*row.manoeuvre));
+  line.append(",");
+  if (row.track) line.append(std::to_string(row.track->id));
+  add_cell(line, row.track ? angle_deg(row.track->bearing.azimuth_rad) : no, 3);
   const sim::Truth& t = row.truth;
   for (const double rad :
        {t.passage.azimuth_rad, t.passage.elevation_rad, t.deepest.azimuth_rad, t.deepest.elevation_rad})

@@ -103,6 +103,7 @@ void FrameLine::judge_in_order(FrameWork& work) {
                                       : pilot_->see(view, work.frame.stamp_s, images);
     work.open_space = followed.open_space;
     work.command = followed.command;
+    work.track = followed.track;
   } else if (settings_.flash) {
     work.open_space = is_pair ? finders_.front().find_flash(view, io::view_of(before)) : finders_.front().find(view);
   }

@@ -30,6 +30,7 @@ struct FrameWork {
   std::string doubt;                    ///< what may be wrong with a frame that was judged
   StageImages stages;
   std::optional<HeadingCommand> command;
+  std::optional<Track> track;      ///< the opening that the pilot follows
   cv::Mat panel;                   ///< frame and depth map, if a video is wanted
   std::vector<unsigned char> png;  ///< the frame with its overlay, encoded, if frames are wanted
   bool wants_shot = false;

@@ -20,6 +20,8 @@ constexpr const char* kNumbers[] = {"confidence",
                                     "area_fraction",
                                     "yaw_rate_rad_s",
                                     "speed_scale",
+                                    "track",
+                                    "track_azimuth_deg",
                                     "veil_fraction",
                                     "find_ms",
                                     "x_m",
@@ -67,7 +69,8 @@ ReportTable::ReportTable(const std::vector<std::string>& header, std::string_vie
     }
   const std::pair<const char*, const char*> words[] = {{"status", "status"},         {"heading_state", "heading_state"},
                                                        {"command", "heading_state"}, {"delivery", "delivery"},
-                                                       {"flags", "flags"},           {"rule", "rule"}};
+                                                       {"flags", "flags"},           {"rule", "rule"},
+                                                       {"manoeuvre", "manoeuvre"}};
   for (const auto& [column, shown] : words)
     if (const int at = column_of(header, column); at >= 0) {
       word_at_.push_back(at);
@@ -100,7 +103,10 @@ void ReportTable::add_time(double stamp_s, bool new_source) {
   double time_s = stamp_s + offset_s_;
   if (!std::isfinite(time_s) || time_s <= time_s_.back()) {
     time_s = time_s_.back() + step_s;
-    if (new_source && std::isfinite(stamp_s)) offset_s_ = time_s - stamp_s;
+    if (new_source && std::isfinite(stamp_s)) {
+      offset_s_ = time_s - stamp_s;
+      restarts_.push_back(time_s_.size());
+    }
   } else if (!new_source) {
     interval_s_ = time_s - time_s_.back();
   }

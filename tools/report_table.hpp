@@ -41,6 +41,10 @@ class ReportTable {
   /// First row of each source, and the source; empty for flights.
   [[nodiscard]] const std::vector<std::pair<std::size_t, std::string>>& sources() const noexcept { return sources_; }
 
+  /// Rows whose stamp is not later than the one before: there another sequence begins. Images of one sequence are
+  /// sources of their own, and their stamps go on.
+  [[nodiscard]] const std::vector<std::size_t>& restarts() const noexcept { return restarts_; }
+
   /// NaN where there is none, or no such column.
   [[nodiscard]] double number(std::string_view column, std::size_t row) const;
   /// "" where there is none, or no such column.
@@ -56,6 +60,7 @@ class ReportTable {
   std::vector<ReportWords> words_;
   std::vector<double> time_s_;
   std::vector<std::pair<std::size_t, std::string>> sources_;
+  std::vector<std::size_t> restarts_;
   double offset_s_ = 0.0, interval_s_ = 0.0;
 };
 
@@ -66,8 +71,10 @@ struct ReportEvent {
   std::string text;
 };
 
-/// Spells of refusals, flags, holds, lost frames; jumps of the best opening by more than kJump_deg between frames of
-/// one source. Spells of the same kind closer than kSpellGap_s are one. In order of their first row.
+/// Spells of refusals, flags, holds, turns, lost frames, and changes of branch: the tracker follows another opening
+/// than before. Where nobody kept track (the published method) jumps of the answer by more than kJump_deg stand for
+/// them. Both between frames of one source. Spells of the same kind closer than kSpellGap_s are one. In order of their
+/// first row.
 [[nodiscard]] std::vector<ReportEvent> events_of(const ReportTable& table);
 inline constexpr double kJump_deg = 15.0;   ///< wider than jitter of one opening, narrower than two branches are apart
 inline constexpr double kSpellGap_s = 0.5;  ///< as heading.hold_after_s: what is shorter the controller coasts over

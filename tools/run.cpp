@@ -156,8 +156,8 @@ class Run {
       progress_.say("adit: " + work.why);
     }
     if (tally_.judged() > 0) outputs_.release();
-    const io::TableRow row{work.frame.source, work.frame.index, work.frame.stamp_s,
-                           work.open_space,   work.command,     work.why};
+    const io::TableRow row{work.frame.source, work.frame.index, work.frame.stamp_s, work.open_space,
+                           work.command,      work.why,         work.track};
     outputs_.write_row(row);
     if (report_) report_->add_row(row);
     progress_.show(tally_.frames());

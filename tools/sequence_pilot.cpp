@@ -13,7 +13,8 @@ SequencePilot::SequencePilot(const io::Configuration& configuration, const std::
 
 Followed SequencePilot::steer(const Sight& sight, double stamp_s) {
   const NavigatorCommand command = navigator_->steer(sight, stamp_s, {.yaw_rate_rad_s = 0.0, .speed_m_s = 0.0});
-  return {sight.open_space, command.heading, command.speed_scale};
+  const Track* track = navigator_->tracker().chosen();
+  return {sight.open_space, command.heading, command.speed_scale, track ? std::optional(*track) : std::nullopt};
 }
 
 Followed SequencePilot::see(const ImageView& frame, double stamp_s, StageImages* images) {
@@ -25,7 +26,7 @@ Followed SequencePilot::see_flash(const ImageView& frame, const ImageView& befor
 }
 
 Followed SequencePilot::follow(const OpenSpace& seen, double stamp_s) {
-  return {seen, controller_->update(seen, stamp_s), std::nullopt};
+  return {seen, controller_->update(seen, stamp_s), std::nullopt, std::nullopt};
 }
 
 HeadingCommand SequencePilot::miss(double stamp_s) {

@@ -17,6 +17,7 @@ struct Followed {
   OpenSpace open_space;
   HeadingCommand command;
   std::optional<double> speed_scale;  ///< share of the wanted speed; the published controller knows none
+  std::optional<Track> track;         ///< the opening that is followed; nothing: none, or nobody keeps track
 };
 
 /// The navigator; for the method `paper` the published controller. A recording does not turn when it is told to: the

@@ -78,6 +78,8 @@ void for_each_cell(const TableRow& row, bool timing, Put&& put) {
   put("flags", flags.empty() ? Cell() : Cell(std::string_view(flags)));
   const bool has_veil = judged != nullptr && judged->veil_fraction > 0.0;  // 0: not looked for
   put("veil_fraction", real(has_veil ? judged : nullptr, 4, [](const OpenSpace& o) { return o.veil_fraction; }));
+  put("track", row.track ? Cell(std::int64_t{row.track->id}) : Cell());
+  put("track_azimuth_deg", row.track ? Cell(Real{degrees(row.track->bearing.azimuth_rad), 4}) : Cell());
   put("message", row.message.empty() ? Cell() : Cell(std::string_view(row.message)));
   if (timing) put("find_ms", real(any, 4, [](const OpenSpace& o) { return static_cast<double>(o.total_ns) * 1e-6; }));
 }

@@ -145,6 +145,10 @@ bool Flight::step() {
   deliver();
   row_.command = command_;
   row_.speed_scale = speed_scale_;
+  if (navigator_) {
+    row_.manoeuvre = manoeuvre_;
+    if (const Track* track = navigator_->tracker().chosen()) row_.track = *track;
+  }
   if (fly_to_next_frame()) judge_progress();
   ++frames_;
   return true;
@@ -218,6 +222,7 @@ void Flight::deliver() {
                                          : navigator_->steer(arrival.sight, arrival.stamp_s, arrival.motion);
     command_ = command.heading;
     speed_scale_ = command.speed_scale;
+    manoeuvre_ = command.manoeuvre;
   } else {
     command_ = arrival.dropped ? controller_->tick(arrival.stamp_s)
                                : controller_->update(arrival.sight.open_space, arrival.stamp_s);

@@ -44,8 +44,14 @@ TEST(Table, HeaderHasThePromisedColumnsFirst) {
 TEST(Table, FoundFrame) {
   EXPECT_EQ(csv_line(found_row(), false),
             "a.png,4,1.500000,found,0.5000,320.250,100.000,0.250000,-0.500000,30.0000,-45.0000,0.125000,-0.250000,"
-            "steer,200.000,3,9,180,darkest_cluster,30.00 -45.00 0.50,dust+glare,0.7500,\n");
-  EXPECT_TRUE(csv_line(found_row(), true).ends_with(",0.7500,,1.5000\n"));
+            "steer,200.000,3,9,180,darkest_cluster,30.00 -45.00 0.50,dust+glare,0.7500,,,\n");
+  EXPECT_TRUE(csv_line(found_row(), true).ends_with(",0.7500,,,,1.5000\n"));
+}
+
+TEST(Table, TheOpeningThatIsFollowedHasANumberAndABearing) {
+  TableRow row = found_row();
+  row.track = adit::Track{.id = 7, .bearing = {-0.5, 0.0}};
+  EXPECT_TRUE(csv_line(row, false).ends_with(",0.7500,7,-28.6479,\n")) << csv_line(row, false);
 }
 
 TEST(Table, NumbersThatDoNotExistAreEmpty) {
@@ -53,12 +59,12 @@ TEST(Table, NumbersThatDoNotExistAreEmpty) {
   row.open_space->status = adit::Status::kTooDark;
   row.open_space->confidence = 0.0;
   row.command.reset();
-  EXPECT_EQ(csv_line(row, false), "a.png,4,1.500000,too_dark,0.0000,,,,,,,,,,200.000,3,9,180,,,dust+glare,0.7500,\n");
+  EXPECT_EQ(csv_line(row, false), "a.png,4,1.500000,too_dark,0.0000,,,,,,,,,,200.000,3,9,180,,,dust+glare,0.7500,,,\n");
   row.open_space->status = adit::Status::kWrongSize;
-  EXPECT_EQ(csv_line(row, false), "a.png,4,1.500000,wrong_size,0.0000,,,,,,,,,,,,,,,,dust+glare,,\n");
+  EXPECT_EQ(csv_line(row, false), "a.png,4,1.500000,wrong_size,0.0000,,,,,,,,,,,,,,,,dust+glare,,,,\n");
   row.open_space.reset();
   row.message = "a.png: the file is empty";
-  EXPECT_EQ(csv_line(row, false), "a.png,4,1.500000,unreadable,,,,,,,,,,,,,,,,,,,a.png: the file is empty\n");
+  EXPECT_EQ(csv_line(row, false), "a.png,4,1.500000,unreadable,,,,,,,,,,,,,,,,,,,,,a.png: the file is empty\n");
 }
 
 TEST(Table, NoMinusZeroAndNoNan) {

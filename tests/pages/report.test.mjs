@@ -22,6 +22,16 @@ function anHour(folder) {
   writeFileSync(join(folder, "flight.csv"), lines.join("\n") + "\n");
 }
 
+/// A flight with an event of each kind that a click can go to.
+function eventful(folder) {
+  const lines = ["frame,stamp_s,x_m,y_m,yaw_deg,delivery,status,confidence,azimuth_deg,flags,command,yaw_rate_rad_s,manoeuvre,track,track_azimuth_deg"];
+  for (let i = 0; i < 300; ++i)
+    lines.push(`${i},${(i / 30).toFixed(4)},${(i / 60).toFixed(3)},0,0,${i === 250 ? "dropped,,,," : `fresh,found,0.8,5,${i >= 60 && i < 90 ? "glare" : ""}`},` +
+      `steer,0.1,${i >= 200 && i < 220 ? "turn" : "follow"},${i < 150 ? "1,-20" : "2,25"}`);
+  mkdirSync(folder);
+  writeFileSync(join(folder, "flight.csv"), lines.join("\n") + "\n");
+}
+
 before(async () => {
   await openBrowser();
   await run("fly", "s_bend", "--time", "2", "--quiet", "--report", join(at.folder, "flight.html"));
@@ -80,11 +90,30 @@ test("a click into a chart, the map or the table of events goes to the frame", a
   const before = await row(page), map = await page.locator("#map").boundingBox();
   await page.locator("#map").click({ position: { x: map.width * 0.05, y: map.height / 2 } });
   await until(async () => await row(page) < before, "the left end of the map is the start");
-  const event = page.locator("#events button").first();
-  if (await event.count()) {
-    await event.click();
-    assert.ok(await event.getAttribute("aria-label"));
+  assert.deepEqual(page.faults, []);
+  await page.context().close();
+});
+
+test("glare, a change of branch, a turn and a lost frame are events, and a click goes to each", async () => {
+  eventful(join(at.folder, "eventful"));
+  await run("report", join(at.folder, "eventful"), "--quiet");
+  const page = await openPage("file://" + join(at.folder, "eventful/report.html"));
+  await settled(page, "frame 1 of 300");
+  assert.equal(await page.locator("#event-count").textContent(), "4 of 4");
+  for (const [kind, text, first] of [["branch", "at +25.0 deg, the one before was at -20.0 deg", 150], ["glare", "flag glare", 60],
+    ["dropped", "frame was dropped", 250], ["turn", "turned in place", 200]]) {
+    await page.locator("#kind").selectOption(kind);
+    assert.equal(await page.locator("#events tr").count(), 1, kind);
+    await page.getByRole("button", { name: new RegExp(`^Go to .*${text.replace(/[+.]/g, "\\$&")}`) }).click();
+    await until(async () => await row(page) === first, `the scrubber is at the ${kind}`);
+    await settled(page, `frame ${first + 1} of 300`);
   }
+  await page.locator("#kind").selectOption("");
+  await page.locator("#events button").first().focus();
+  await page.keyboard.press("Enter");
+  await until(async () => await row(page) === 60, "by keyboard, too");
+  await page.getByRole("button", { name: "Next event" }).click();
+  await until(async () => await row(page) === 150, "the next event");
   assert.deepEqual(page.faults, []);
   await page.context().close();
 });

@@ -95,6 +95,61 @@ TEST(Report, TellsWhatHappened) {
   EXPECT_TRUE(page["frames"]["rows"].empty());
 }
 
+/// A table of `run` over one video, then another: the tracker goes from one opening to another at 12 (and back, to one
+/// that is seen twice, at 20), while the answer jumps about; the second video's first track is its own.
+std::string followed_table() {
+  std::string text = "source,frame,stamp_s,status,confidence,azimuth_deg,flags,track,track_azimuth_deg\n";
+  for (int i = 0; i < 40; ++i) {
+    const bool second = i >= 30, right = i >= 12;
+    text += std::string(second ? "b.avi," : "a.avi,") + std::to_string(second ? i - 30 : i) + "," +
+            std::to_string(0.05 * (second ? i - 30 : i)) + ",found,0.5," + (i % 2 == 0 ? "-12" : "20") + "," +
+            (i >= 3 && i < 6 ? "glare" : "") + "," +
+            (second    ? "1,-40"
+             : i >= 20 ? "3,21"
+             : right   ? "2,20.5"
+                       : "1,-12") +
+            "\n";
+  }
+  return text;
+}
+
+TEST(Report, AChangeOfBranchIsTheTrackers) {
+  const ScratchFolder folder;
+  write_text(folder / "headings.csv", followed_table());
+  const Outcome report = run_adit({"report", folder.path().string(), "-o", (folder / "page.html").string()});
+  ASSERT_EQ(report.exit_code, 0) << report.err;
+  const json page = shown_in(folder / "page.html");
+  EXPECT_EQ(
+      texts_of(page["events"]),
+      (std::vector<std::string>{"glare: flag glare",
+                                "branch: another opening is followed: at +20.5 deg, the one before was at -12.0 deg"}));
+  EXPECT_EQ(page["events"][0][0], 3);
+  EXPECT_EQ(page["events"][0][1], 5);
+  EXPECT_EQ(page["events"][1][0], 12);
+}
+
+TEST(Report, AChangeOfBranchIsToldOfARunOverImages) {
+  const ScratchFolder folder;
+  std::filesystem::create_directory(folder / "drift");
+  // The passage is on the left for a second and a half, then on the right: more than the tracker waits.
+  for (int i = 0; i < 30; ++i)
+    make_passage(folder / "drift" / ("frame" + std::to_string(100 + i) + ".png"), i < 15 ? 70 : 250);
+  const std::string page = (folder / "page.html").string();
+  const Outcome run = run_adit({"run", (folder / "drift").string(), "--sequence", "--fps", "10", "--method", "adit",
+                                "--report", page, "--csv", (folder / "t.csv").string(), "--quiet"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const json events = shown_in(page)["events"];
+  int branches = 0;
+  for (const json& event : events)
+    if (event[2] == "branch") {
+      ++branches;
+      EXPECT_GE(event[0], 16) << "not with the frame, but when the tracker changes its mind";
+      EXPECT_LE(event[0], 28);
+    }
+  EXPECT_EQ(branches, 1) << events.dump(1);
+  EXPECT_EQ(events.dump().find("jump"), std::string::npos) << events.dump(1);
+}
+
 TEST(Report, OfEvalIsTheGalleryInOneFile) {
   const ScratchFolder folder;
   std::filesystem::create_directory(folder / "set");

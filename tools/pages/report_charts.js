@@ -5,6 +5,7 @@ const plots = [], series = (label, name, stroke, extra = {}) => ({ label, name, 
 const groups = [
   ["sx and sy: right and down of the axis", [series("sx", "sx", "--blue"), series("sy", "sy", "--orange")]],
   ["Azimuth, degrees, positive to the right", [series("answer", "azimuth_deg", "--blue"),
+    series("opening followed", "track_azimuth_deg", "--orange"),
     series("passage 5 m ahead", "passage_azimuth_deg", "--grey", { dash: [6, 4] })]],
   ["Confidence", [series("confidence", "confidence", "--green"), series("veil", "veil_fraction", "--violet")], share],
   ["Yaw rate, rad/s, positive to the left", [series("yaw rate", "yaw_rate_rad_s", "--green")]],

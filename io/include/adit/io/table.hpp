@@ -7,6 +7,7 @@
 
 #include "adit/finder.hpp"
 #include "adit/heading.hpp"
+#include "adit/tracker.hpp"
 
 namespace adit::io {
 
@@ -18,6 +19,7 @@ struct TableRow {
   std::optional<OpenSpace> open_space;    ///< nothing: the frame could not be read; its status is "unreadable"
   std::optional<HeadingCommand> command;  ///< nothing: no command came of this frame
   std::string message;                    ///< why it could not be read
+  std::optional<Track> track = {};        ///< the opening that is followed from frame to frame; nothing: none
 };
 
 /// Those that are up, joined with a plus: "dust+glare". "" when none is.

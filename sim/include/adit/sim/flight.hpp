@@ -115,7 +115,9 @@ struct FlightRow {
   double area_fraction = 0.0;
   SightFlags flags;
   HeadingCommand command;
-  double speed_scale = 1.0;  ///< of the command: share of speed_m_s
+  double speed_scale = 1.0;            ///< of the command: share of speed_m_s
+  std::optional<Manoeuvre> manoeuvre;  ///< of the command; nothing: the published controller flies, and knows none
+  std::optional<Track> track;          ///< the opening that is followed; nothing: none, or nobody keeps track
 };
 
 /// One flight, frame by frame: while (flight.step()) use flight.row().
@@ -204,6 +206,7 @@ class Flight {
   std::deque<Arrival> on_the_way_;
   HeadingCommand command_;
   double speed_scale_ = 1.0;
+  Manoeuvre manoeuvre_ = Manoeuvre::kWait;
   double held_since_s_ = 0.0;
   std::deque<std::pair<double, Eigen::Vector3d>> track_;  ///< distance flown and place, of the last stuck_after_m
   bool records_sensors_ = false;

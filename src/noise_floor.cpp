@@ -24,7 +24,7 @@ NoiseFloor::NoiseFloor(double gamma) : light_of_(kLevelPartsMax + 1), to_(kLevel
 double NoiseFloor::noise_share(const CellPlane& levels) noexcept {
   if (levels.width < 3 || levels.height < 3) return 0.0;
   std::int64_t residual = 0, level = 0;
-  for (int v = 1; v + 1 < levels.height; ++v) {
+  for (int v = 1; v + 1 < levels.height; v += 2) {  // every other row: thousands of cells are enough
     const std::int16_t* const above = levels.row(v - 1);
     const std::int16_t* const here = levels.row(v);
     const std::int16_t* const below = levels.row(v + 1);

@@ -13,22 +13,28 @@ constexpr int kPeakMin = kStop / 2;
 /// high has 0.2. The floor at grazing light along the foot of a wall, cables and gaps between planks are thinner.
 constexpr double kSlenderness = 0.2;
 
-/// Flood fill over the four neighbours of a cell. Cells are counted on the grid with its frame.
+/// The map is smooth over two cells (it has been smoothed twice, its cells before that), so means of two by two hold
+/// all of it, for a quarter of the steps. Fewer than this many steps along the longer side would part branches badly.
+constexpr int kStepsMin = 60;
+
+int steps_of(int cells, int step) noexcept { return (cells + step - 1) / step; }
+
+/// Flood fill over the four neighbours of a cell. Cells are those of the search's own grid with its frame.
 class Flood {
  public:
-  Flood(const CellPlane& map, const CellPlane& depth, SearchScratch& scratch) noexcept
+  Flood(const CellPlane& map, SearchScratch& scratch) noexcept
       : width_(map.width),
-        stride_(map.width + 2),
+        height_(map.height),
+        stride_(steps_of(map.width, scratch.step) + 2),
         per_row_(((std::uint64_t{1} << 32) + static_cast<std::uint64_t>(stride_) - 1) /
                  static_cast<std::uint64_t>(stride_)),
-        depth_(depth),
         scratch_(scratch) {}
 
   /// Takes the cells that are nobody's, connected with `start`, with at least `level`.
   Candidate region(std::int32_t start, int level, std::uint8_t owner) noexcept {
     Candidate out;
     out.left = width_;
-    out.top = depth_.height;
+    out.top = height_;
     double weights = 0.0;
     const View on = view();
     std::size_t length = 0;
@@ -77,78 +83,108 @@ class Flood {
   void add(std::int32_t cell, int value, Candidate& out, double& weights) const noexcept {
     // A product in place of the division: exact for fewer than 2^16 cells, of which the grid has half.
     const auto row = static_cast<int>((static_cast<std::uint64_t>(cell) * per_row_) >> 32);
-    const int u = cell - row * stride_ - 1, v = row - 1;
-    const double depth = depth_.row(v)[u];
+    const int u = (cell - row * stride_ - 1) * scratch_.step, v = (row - 1) * scratch_.step;
+    const int last_u = std::min(u + scratch_.step, width_) - 1, last_v = std::min(v + scratch_.step, height_) - 1;
+    const double depth = scratch_.depth[static_cast<std::size_t>(cell)];
     const double weight = depth * depth * depth * depth + 1.0;
-    out.u += weight * u;
-    out.v += weight * v;
+    out.u += weight * (0.5 * (u + last_u));
+    out.v += weight * (0.5 * (v + last_v));
     weights += weight;
     out.left = std::min(out.left, u);
-    out.right = std::max(out.right, u);
+    out.right = std::max(out.right, last_u);
     out.top = std::min(out.top, v);
-    out.bottom = std::max(out.bottom, v);
-    ++out.cells;
+    out.bottom = std::max(out.bottom, last_v);
+    out.cells += (last_u - u + 1) * (last_v - v + 1);
     out.peak = std::max(out.peak, value);
   }
 
   int width_;
+  int height_;
   int stride_;
   std::uint64_t per_row_;  ///< 2^32 over the stride, upwards
-  const CellPlane& depth_;
   SearchScratch& scratch_;
   std::size_t length_ = 0;
 };
 
-void start(const CellPlane& map, SearchScratch& scratch) noexcept {
-  const int width = map.width;  // a byte written may be part of anything: only what stands apart becomes vector code
-  const std::ptrdiff_t stride = width + 2;
+/// A row of means of two by two cells; at an odd border of those that are there.
+void halve(const CellPlane& map, int row, std::int16_t* __restrict to) noexcept {
+  const std::int16_t* __restrict const above = map.row(row * 2);
+  const std::int16_t* __restrict const below = map.row(std::min(row * 2 + 1, map.height - 1));
+  const int whole = map.width / 2;
+  for (int u = 0; u < whole; ++u) {
+    to[u] = static_cast<std::int16_t>((above[2 * u] + above[2 * u + 1] + below[2 * u] + below[2 * u + 1] + 2) / 4);
+  }
+  if (map.width % 2 != 0) to[whole] = static_cast<std::int16_t>((above[2 * whole] + below[2 * whole] + 1) / 2);
+}
+
+void take_row(const CellPlane& map, int step, int row, std::int16_t* to) noexcept {
+  if (step == 2) {
+    halve(map, row, to);
+  } else {
+    std::copy_n(map.row(row), map.width, to);
+  }
+}
+
+void start(const CellPlane& map, const CellPlane& depth, SearchScratch& scratch) noexcept {
+  const int width =
+      steps_of(map.width, scratch.step);    // a byte written may be part of anything: only what stands apart becomes
+  const std::ptrdiff_t stride = width + 2;  // vector code
   std::fill(scratch.owner.begin(), scratch.owner.end(), kSlope);
-  for (int v = 0; v < map.height; ++v) {
-    const std::int16_t* __restrict const from = map.row(v);
+  for (int v = 0; v < steps_of(map.height, scratch.step); ++v) {
     std::uint8_t* __restrict const owner = scratch.owner.data() + (v + 1) * stride + 1;
     std::int16_t* __restrict const value = scratch.value.data() + (v + 1) * stride + 1;
-    std::int16_t peak = 0;
-    for (int u = 0; u < width; ++u) {
-      value[u] = from[u];
-      peak = from[u] > peak ? from[u] : peak;
-    }
+    take_row(map, scratch.step, v, value);
+    take_row(depth, scratch.step, v, scratch.depth.data() + (v + 1) * stride + 1);
     // Half of any peak is above: no place holds such a cell, and no way down from one has to go on through it.
-    for (int u = 0; u < width; ++u) owner[u] = from[u] < kPeakMin / 2 ? kSlope : std::uint8_t{0};
-    scratch.row_peak[static_cast<std::size_t>(v)] = peak;
+    for (int u = 0; u < width; ++u) owner[u] = value[u] < kPeakMin / 2 ? kSlope : std::uint8_t{0};
+    scratch.row_peak[static_cast<std::size_t>(v)] = *std::max_element(value, value + width);
   }
 }
 
 /// The first of the highest cells that are nobody's; -1 when none is high enough. A row's peak that has been taken
 /// since it was noted is noted anew, so that few rows are looked through.
 std::int32_t highest(const CellPlane& map, SearchScratch& scratch) noexcept {
-  const std::int32_t stride = map.width + 2;
+  const std::int32_t width = steps_of(map.width, scratch.step);
   while (true) {
     const auto best = std::max_element(scratch.row_peak.begin(), scratch.row_peak.end());
     if (*best < kPeakMin) return -1;
-    const auto first = static_cast<std::int32_t>(best - scratch.row_peak.begin() + 1) * stride + 1;
+    const auto first = static_cast<std::int32_t>(best - scratch.row_peak.begin() + 1) * (width + 2) + 1;
+    const std::int16_t* const value = scratch.value.data() + first;
+    const std::uint8_t* const owner = scratch.owner.data() + first;
     std::int16_t peak = 0;
-    for (std::int32_t cell = first; cell < first + map.width; ++cell) {
-      const auto at = static_cast<std::size_t>(cell);
-      if (scratch.owner[at] != 0) continue;
-      if (scratch.value[at] == *best) return cell;
-      peak = std::max(peak, scratch.value[at]);
+    for (std::int32_t u = 0; u < width; ++u) {  // no branch: it becomes vector code
+      const std::int16_t free = owner[u] == 0 ? value[u] : std::int16_t{0};
+      peak = free > peak ? free : peak;
     }
-    *best = peak;
+    if (peak < *best) {
+      *best = peak;
+      continue;
+    }
+    std::int32_t u = 0;
+    while (owner[u] != 0 || value[u] != peak) ++u;
+    return first + u;
   }
 }
 
 }  // namespace
 
 SearchScratch::SearchScratch(int width, int height)
-    : owner(static_cast<std::size_t>(width + 2) * static_cast<std::size_t>(height + 2)),
+    : step(std::max(width, height) >= 2 * kStepsMin ? 2 : 1),
+      stride(static_cast<std::size_t>(steps_of(width, step) + 2)),
+      owner(stride * static_cast<std::size_t>(steps_of(height, step) + 2)),
       value(owner.size()),
+      depth(owner.size()),
       queue(owner.size()),
-      row_peak(static_cast<std::size_t>(height)) {}
+      row_peak(static_cast<std::size_t>(steps_of(height, step))) {}
+
+std::uint8_t SearchScratch::owner_of(int u, int v) const noexcept {
+  return owner[(static_cast<std::size_t>(v / step) + 1) * stride + static_cast<std::size_t>(u / step) + 1];
+}
 
 Candidates search_openings(const CellPlane& map, const CellPlane& depth, SearchScratch& scratch) noexcept {
   Candidates out;
-  start(map, scratch);
-  Flood flood(map, depth, scratch);
+  start(map, depth, scratch);
+  Flood flood(map, scratch);
   while (out.count < kOpeningCountMax) {
     const std::int32_t top = highest(map, scratch);
     if (top < 0) break;

@@ -25,10 +25,16 @@ struct Candidate {
 
 struct SearchScratch {
   SearchScratch(int width, int height);
-  /// 0 nobody's; i + 1 in candidate i; kSlope on the way down from one, and in the frame of one cell about the grid
-  /// that saves every step the question whether it leaves the grid.
+  /// Whose a cell of the map is.
+  [[nodiscard]] std::uint8_t owner_of(int u, int v) const noexcept;
+
+  int step;  ///< cells of the map along the side of one of the search
+  std::size_t stride;
+  /// 0 nobody's; i + 1 in candidate i; kSlope on the way down from one, and in
+  /// the frame of one cell about the grid that saves every step the question whether it leaves the grid.
   std::vector<std::uint8_t> owner;
   std::vector<std::int16_t> value;  ///< of the map, on the same grid with its frame
+  std::vector<std::int16_t> depth;  ///< likewise
   std::vector<std::int32_t> queue;
   std::vector<std::int16_t> row_peak;  ///< largest value of a row that is nobody's
 };

@@ -67,6 +67,7 @@ class VeilFit {
   std::array<int, 4097> counts_{};                      ///< of the blocks, by parts of a level
   std::array<float, 4097> noise_{};                     ///< of a level's light as a share of it
   std::array<std::int16_t, 8 * 1024 + 1> log_share_{};  ///< by parts of the share, parts of a stop
+  std::vector<std::int16_t> columns_;                   ///< sums over the rows of one row of blocks
   std::vector<LobeTerms> terms_;
   std::vector<LobeTerms> fit_terms_;  ///< of every other block of every other row
   std::vector<double> fit_log_;       ///< their light

@@ -19,6 +19,12 @@ std::string filled_page(std::string_view page, const std::vector<std::pair<std::
   }
 }
 
+std::string joined(std::initializer_list<std::string_view> parts) {
+  std::string text;
+  for (const std::string_view part : parts) text += part;
+  return text;
+}
+
 std::string html_of(std::string_view text) {
   std::string html;
   for (const char c : text) {

@@ -1,6 +1,7 @@
 // Pages for people, kept in the program; they lie as files in tools/pages.
 #pragma once
 
+#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -13,9 +14,10 @@ namespace adit::tools {
 [[nodiscard]] std::string_view gallery_js();
 /// Of `adit report`; @TITLE@, @CSS@, @JS@, @UPLOT_CSS@, @UPLOT_JS@ and @REPORT@ are to be filled in.
 [[nodiscard]] std::string_view report_page();
-/// Its script, in four parts that follow one another.
+/// Its script, in five parts that follow one another.
 [[nodiscard]] std::string_view report_js();
 [[nodiscard]] std::string_view report_charts_js();
+[[nodiscard]] std::string_view report_status_js();
 [[nodiscard]] std::string_view report_map_js();
 [[nodiscard]] std::string_view report_scrubber_js();
 /// How the pages of `adit report`, `adit view` and `adit eval` look.
@@ -28,7 +30,15 @@ namespace adit::tools {
 
 /// Of `adit view`; @CSS@, @JS@, @UPLOT_CSS@ and @UPLOT_JS@ are to be filled in.
 [[nodiscard]] std::string_view view_page();
+/// Its script, in five parts that follow one another.
 [[nodiscard]] std::string_view view_js();
+[[nodiscard]] std::string_view view_gauges_js();
+[[nodiscard]] std::string_view view_plan_js();
+[[nodiscard]] std::string_view view_settings_js();
+[[nodiscard]] std::string_view view_look_js();
+
+/// Parts of a script as one.
+[[nodiscard]] std::string joined(std::initializer_list<std::string_view> parts);
 
 /// A page with its parts filled in. What is filled in is not looked through for names of parts.
 [[nodiscard]] std::string filled_page(std::string_view page,

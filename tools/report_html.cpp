@@ -92,13 +92,6 @@ Json json_of(const Report& report) {
   return json;
 }
 
-std::string script() {
-  std::string text;
-  for (const std::string_view part : {report_js(), report_charts_js(), report_map_js(), report_scrubber_js()})
-    text.append(part);
-  return text;
-}
-
 }  // namespace
 
 void write_report(const std::filesystem::path& path, const Report& report) {
@@ -109,7 +102,8 @@ void write_report(const std::filesystem::path& path, const Report& report) {
                                                    {"@UPLOT_CSS@", std::string(uplot_css())},
                                                    {"@UPLOT_JS@", std::string(uplot_js())},
                                                    {"@CSS@", std::string(look_css())},
-                                                   {"@JS@", script()},
+                                                   {"@JS@", joined({report_js(), report_charts_js(), report_status_js(),
+                                                                    report_map_js(), report_scrubber_js()})},
                                                    {"@REPORT@", json}}));
 }
 

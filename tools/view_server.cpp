@@ -169,7 +169,8 @@ struct ViewServer::Pages {
       response.set_content(filled_page(view_page(), {{"@UPLOT_CSS@", std::string(uplot_css())},
                                                      {"@UPLOT_JS@", std::string(uplot_js())},
                                                      {"@CSS@", std::string(look_css())},
-                                                     {"@JS@", std::string(view_js())}}),
+                                                     {"@JS@", joined({view_js(), view_gauges_js(), view_plan_js(),
+                                                                      view_settings_js(), view_look_js()})}}),
                            "text/html; charset=utf-8");
     });
     server.Get("/stream.mjpg", [this](const Request& q, Response& r) { stream(q, r); });

@@ -80,7 +80,7 @@ test("a click into a chart, the map or the table of events goes to the frame", a
   await over.click({ position: { x: box.width * 0.5, y: 40 } });
   await until(async () => Math.abs(await row(page) - 30) <= 3, "the middle of the chart is the middle of the flight");
   await until(() => page.evaluate(() => {
-    const mark = document.getElementById("status-now").getBoundingClientRect(), strip = document.getElementById("status")
+    const mark = document.querySelector("#status .now").getBoundingClientRect(), strip = document.querySelector("#status .u-over")
       .getBoundingClientRect();
     return mark.height > 0 && Math.abs((mark.left + mark.width / 2 - strip.left) / strip.width - 0.5) < 0.06;
   }), "the strip of the status has its mark there, too");
@@ -90,6 +90,57 @@ test("a click into a chart, the map or the table of events goes to the frame", a
   const before = await row(page), map = await page.locator("#map").boundingBox();
   await page.locator("#map").click({ position: { x: map.width * 0.05, y: map.height / 2 } });
   await until(async () => await row(page) < before, "the left end of the map is the start");
+  assert.deepEqual(page.faults, []);
+  await page.context().close();
+});
+
+/// Colours along the middle of the strip, as "r,g,b".
+const stripColours = page => page.evaluate(() => {
+  const plot = plots.at(-1), { left, top, width, height } = plot.bbox;
+  const copy = document.createElement("canvas"), c = copy.getContext("2d", { willReadFrequently: true }), colours = [];
+  copy.width = width; copy.height = 1;
+  c.drawImage(plot.ctx.canvas, left, top + Math.floor(height / 2), width, 1, 0, 0, width, 1);
+  const pixels = c.getImageData(0, 0, width, 1).data;
+  for (let i = 0; i < pixels.length; i += 4) colours.push(pixels.slice(i, i + 3).join());
+  return colours;
+});
+
+test("the strip of the status has the charts' axis, zooms with them, and a click into it goes to the frame", async () => {
+  const folder = join(at.folder, "refused"), lines = ["frame,stamp_s,x_m,y_m,delivery,status,confidence,sx,azimuth_deg,command,yaw_rate_rad_s"];
+  for (let i = 0; i < 9000; ++i)  // five minutes; one frame is refused at 100 s, and a second of them from 200 s on
+    lines.push(`${i},${(i / 30).toFixed(4)},${i / 60},0,fresh,${i === 3000 || i >= 6000 && i < 6030 ? "no_opening,0,," : "found,0.8,0.1,5"},steer,0.1`);
+  mkdirSync(folder);
+  writeFileSync(join(folder, "flight.csv"), lines.join("\n") + "\n");
+  await run("report", folder, "--quiet");
+  const page = await openPage("file://" + join(folder, "report.html"));
+  await settled(page, "frame 1 of 9000");
+  const scales = () => page.evaluate(() => plots.map(p => [p.scales.x.min, p.scales.x.max]));
+  for (const [from, to] of await scales()) assert.ok(from === 0 && Math.abs(to - 299.97) < 0.1, `${from} ${to}`);
+  const lefts = await page.locator("#charts .u-over, #status .u-over").evaluateAll(all => all.map(e => e.getBoundingClientRect().left));
+  assert.ok(lefts.every(left => Math.abs(left - lefts[0]) < 1), `one axis: ${lefts}`);
+  assert.deepEqual(await page.evaluate(() => plots.at(-1).axes[0]._values), await page.evaluate(() => plots[0].axes[0]._values));
+  const red = "229,72,77", green = "47,180,87", all = await stripColours(page);
+  assert.equal(all[0], green);
+  assert.ok(all.slice(Math.floor(0.32 * all.length), Math.ceil(0.35 * all.length)).includes(red), "one refused frame of 9000 is seen");
+
+  const strip = page.locator("#status .u-over"), box = await strip.boundingBox();
+  await strip.click({ position: { x: box.width * 0.5, y: 6 } });
+  await until(async () => Math.abs(await row(page) - 4500) < 30, "a click into its middle goes there");
+  await page.locator("#charts .u-over").first().scrollIntoViewIfNeeded();  // the mouse knows the screen alone
+  const chart = await page.locator("#charts .u-over").first().boundingBox();
+  await page.mouse.move(chart.x + chart.width * 0.6, chart.y + 40);
+  await page.mouse.down();
+  await page.mouse.move(chart.x + chart.width * 0.8, chart.y + 40, { steps: 4 });
+  await page.mouse.up();
+  await until(async () => (await scales()).every(([from, to]) => Math.abs(from - 180) < 2 && Math.abs(to - 240) < 2), "all are zoomed");
+  const near = await stripColours(page), share = near.filter(c => c === red).length / near.length;
+  assert.ok(Math.abs(share - 1 / 60) < 0.01, `a second of a minute is red: ${share}`);
+  const now = await row(page);
+  assert.ok(Math.abs(now - 4500) < 30, "a drag is no click");
+  await strip.click({ position: { x: box.width * 0.5, y: 6 } });
+  await until(async () => Math.abs(await row(page) - 6300) < 30, "a click goes to the frame of the zoomed axis");
+  await strip.dblclick({ position: { x: box.width * 0.5, y: 6 } });
+  await until(async () => (await scales()).every(([from, to]) => from === 0 && to > 299), "a double click shows all again");
   assert.deepEqual(page.faults, []);
   await page.context().close();
 });

@@ -1,6 +1,6 @@
 "use strict";
-// The page of `adit report`. Everything it shows stands in the script element #report. One script of four files: this,
-// report_charts.js, report_map.js, report_scrubber.js.
+// The page of `adit report`. Everything it shows stands in the script element #report. One script of five files: this,
+// report_charts.js, report_status.js, report_map.js, report_scrubber.js.
 const $ = id => document.getElementById(id);
 const began = performance.now();
 const R = JSON.parse($("report").textContent);

@@ -54,7 +54,7 @@ function drawStill(w, h, ratio, X, Y) {
   c.font = "12px system-ui, sans-serif"; c.fillText(round + " m", 12, h - 21);
 }
 function poseArrow(c, i, X, Y, long, width) {
-  const yaw = columns.yaw_deg[i] * Math.PI / 180, azimuth = columns.azimuth_deg[i] * Math.PI / 180;
+  const yaw = number("yaw_deg", i) * Math.PI / 180, azimuth = number("azimuth_deg", i) * Math.PI / 180;
   const x = X(columns.x_m[i]), y = Y(columns.y_m[i]);
   if (Number.isFinite(azimuth)) arrow(c, x, y, yaw - azimuth, long * 1.5, "#2fb457", width);
   arrow(c, x, y, yaw, long, "#e5484d", width);
@@ -73,7 +73,7 @@ function drawMap() {
   c.beginPath(); c.arc(X(columns.x_m[at]), Y(columns.y_m[at]), 9, 0, 7); c.fill();
   poseArrow(c, at, X, Y, 34, 3.5);
   map.setAttribute("aria-label", `Map seen from above: x ${shown(columns.x_m[at], 1)} m, y ${shown(columns.y_m[at], 1)} m, `
-    + `yaw ${shown(columns.yaw_deg[at], 0)} degrees`);
+    + `yaw ${shown(number("yaw_deg", at), 0)} degrees`);
 }
 function zoom(factor) { view.m_px = Math.min(5, Math.max(0.002, view.m_px * factor)); drawMap(); }
 function setUpMap() {

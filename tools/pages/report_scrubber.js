@@ -45,7 +45,6 @@ function go(row) {
     showStages(at);
     drawMap();
     for (const plot of plots) { drawNow(plot); plot.setLegend({ idx: at }); }
-    drawStatusNow();
   });
 }
 slider.addEventListener("input", () => go(Number(slider.value)));
@@ -94,9 +93,8 @@ if (!R.origin.changed.length) $("changed-head").textContent = R.origin.settings 
 $("settings").textContent = R.origin.settings;
 if (!R.origin.settings) $("settings-part").hidden = true;
 
-function layOut() { makeCharts(); drawStatus(); drawMap(); }
+function layOut() { makeCharts(); drawMap(); }
 makeCharts();
-drawStatus();
 setUpMap();
 listEvents();
 go(0);

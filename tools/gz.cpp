@@ -31,6 +31,7 @@ struct Options {
   GzTopics topics;
   std::string pilot = "by_method";
   double speed_m_s = node::PerceptionConfig().speed_m_s;
+  bool is_recorded = false;
   std::string csv;
   std::int64_t limit = 0;
   bool quiet = false;
@@ -41,6 +42,7 @@ node::PerceptionSettings settings_of(const Options& options) {
   const io::Configuration c = configuration_of(options.finder);
   settings.navigator = {c.finder, c.heading, c.column_range, c.range_memory, c.tracker, c.steering, c.frame_watch};
   settings.node.speed_m_s = options.speed_m_s;
+  settings.node.is_steered = !options.is_recorded;
   if (!parse(options.pilot, settings.node.pilot))
     throw io::ConfigError("--pilot " + options.pilot + ": not known; give by_method, published or navigator");
   return settings;
@@ -197,6 +199,8 @@ void add_gz(CLI::App& app, ExitCode& exit_code) {
       ->type_name("TOPIC");
   gz->add_option("--speed", options->speed_m_s, "Forward speed (0.2)")->type_name("M/S")->check(CLI::Range(0.0, 10.0));
   gz->add_option("--pilot", options->pilot, "by_method, published or navigator (by_method)")->type_name("NAME");
+  gz->add_flag("--recorded", options->is_recorded,
+               "The camera does not go where the commands send it: what is played is a recording");
   add_finder_options(*gz, options->finder);
   gz->add_option("--csv", options->csv, "Table of the answers, as adit run makes it")->type_name("FILE");
   gz->add_option("--limit", options->limit, "End after so many frames")

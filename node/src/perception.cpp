@@ -178,10 +178,12 @@ ImageAnswer Perception::take(const ImageMessage& message, Time_ns now_ns) {
   Sighting sighting;
   sighting.stamp_ns = verdict == StampVerdict::kMissing ? now_ns : message.stamp_ns;
   Motion motion;
-  motion.speed_m_s = commanded_m_s_;
-  if (yaw_rate_rad_s_ && std::abs(seconds_of(sighting.stamp_ns - yaw_rate_ns_)) < kYawRateFresh_s)
+  motion.speed_m_s = parts_->settings.node.is_steered ? commanded_m_s_ : 0.0;
+  if (!parts_->settings.node.is_steered) motion.yaw_rate_rad_s = 0.0;
+  if (yaw_rate_rad_s_ && std::abs(seconds_of(sighting.stamp_ns - yaw_rate_ns_)) < kYawRateFresh_s) {
     motion.yaw_rate_rad_s = yaw_rate_rad_s_;
-  images_with_yaw_rate_ += motion.yaw_rate_rad_s.has_value();
+    ++images_with_yaw_rate_;
+  }
   parts_->chain->see(reading.view, stamp_s(sighting.stamp_ns), motion, sighting);
   commanded_m_s_ = sighting.forward_m_s;
   last_status_ = sighting.open_space.status;

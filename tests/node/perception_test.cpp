@@ -109,6 +109,25 @@ TEST(PerceptionTest, AYawRateIsUsedWhereItIsOfTheImage) {
   EXPECT_EQ(used, "0");
 }
 
+TEST(PerceptionTest, ARecordingIsNotTakenToGoWhereTheCommandsSendIt) {
+  const auto steered = [](bool is_steered, bool has_gyroscope) {
+    PerceptionSettings settings = settings_of(Method::kAdit);
+    settings.node.is_steered = is_steered;
+    settings.node.speed_m_s = 0.0;  // the turn alone
+    Perception perception(settings);
+    double yaw_rate = 0.0;
+    for (int i = 0; i < 20; ++i) {
+      const test::Frame frame = tunnel(120.0, i);
+      const Time_ns stamp_ns = kBegin_ns + i * kFrame_ns;
+      if (has_gyroscope) perception.take_yaw_rate(0.0, stamp_ns);
+      yaw_rate = perception.take(message_of(frame, stamp_ns), stamp_ns).sighting->heading.yaw_rate_rad_s;
+    }
+    return yaw_rate;
+  };
+  EXPECT_EQ(steered(false, false), steered(true, true)) << "as if a gyroscope said that it stands";
+  EXPECT_NE(steered(false, false), steered(true, false)) << "who is steered turns as it is told";
+}
+
 TEST(PerceptionTest, TellsHowLongTheImagesTakeToCome) {
   Perception perception(settings_of(Method::kPaper));
   EXPECT_EQ(value_of(perception.diagnosis(kBegin_ns), "arrival p50 (ms)"), "-");

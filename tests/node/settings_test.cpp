@@ -4,6 +4,8 @@
 
 #include <set>
 
+#include "adit/node/launch_config.hpp"
+
 namespace adit::node {
 namespace {
 
@@ -62,6 +64,34 @@ TEST(SettingsTest, WhatIsRefusedIsNamedAndLeavesNoTrace) {
   ControlConfig control;
   EXPECT_NE(set_parameter(control, "error_after_s", 0.1), "") << "shorter than hover_after_s";
   EXPECT_EQ(control.error_after_s, 5.0);
+}
+
+TEST(LaunchConfigTest, ValuesReachTheStructAndWhatIsRefusedIsNamed) {
+  CameraLaunch camera;
+  EXPECT_EQ(set_parameter(camera, "input", std::string("/dev/video0")), "");
+  EXPECT_EQ(set_parameter(camera, "rate_hz", 15), "");
+  EXPECT_EQ(camera.input, "/dev/video0");
+  EXPECT_EQ(camera.rate_hz, 15.0);
+  EXPECT_EQ(set_parameter(camera, "rate_hz", 0.0), "rate_hz: 0 Hz is not in [0.1, 1000] Hz; set a value in this range");
+  EXPECT_EQ(set_parameter(camera, "input", 0), "input: a value of the wrong type; set text");
+  EXPECT_EQ(camera.rate_hz, 15.0);
+  SimLaunch sim;
+  EXPECT_EQ(set_parameter(sim, "seed", 7), "");
+  EXPECT_EQ(set_parameter(sim, "lockstep", true), "");
+  EXPECT_EQ(sim.robot.seed, 7u);
+  EXPECT_TRUE(sim.lockstep);
+  EXPECT_NE(set_parameter(sim, "dust_1_m", 2.0), "");
+  EXPECT_EQ(set_parameter(sim, "nobody", 2.0), "nobody: there is no such parameter");
+}
+
+TEST(LaunchConfigTest, EachParameterTakesItsOwnDefault) {
+  const auto check = [](auto launch) {
+    for (const Parameter& p : parameters_of(launch)) EXPECT_EQ(set_parameter(launch, p.name, p.value), "") << p.name;
+  };
+  check(PerceptionLaunch{});
+  check(ControlLaunch{});
+  check(CameraLaunch{});
+  check(SimLaunch{});
 }
 
 }  // namespace

@@ -28,6 +28,7 @@ struct PerceptionConfig {
   Pilot pilot = Pilot::kByMethod;
   double speed_m_s = 0.2;
   double stamp_jump_s = 0.5;
+  bool is_steered = true;
 };
 
 template <class Config, class Visitor>
@@ -41,6 +42,10 @@ void visit_fields(Config& c, Visitor&& visit) {
   visit(FieldNote{"stamp_jump_s", "s", 0.01, 60, "Stamps further apart than this, either way, are a jump.",
                   "as hold_after_s"},
         c.stamp_jump_s);
+  visit(FieldNote{"is_steered", "", 0, 1,
+                  "The camera goes where the commands send it; false for recordings, whose camera is taken to stand.",
+                  "as adit run takes recordings"},
+        c.is_steered);
 }
 
 template <class Config, class Visitor>

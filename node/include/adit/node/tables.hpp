@@ -1,16 +1,18 @@
-// The nodes' topics and parameters as tables for people: ros/PARAMETERS.md is made of them.
+// The nodes' topics and parameters as tables for people: ros/PARAMETERS.md and a part of ros/adit_ros1/README.md.
 #pragma once
 
 #include <string>
 
 namespace adit::node {
 
-/// A topic of a node. Names are as in the nodes' sources; a test on a running graph compares both.
+/// A topic or a service of a node. Names are as in the nodes' sources, "~" for what lies below the node's own name; a
+/// test on a running graph (graph.test) compares both, either way.
 struct TopicNote {
   const char* node;  ///< "open_space", "controller", "camera", "sim"
-  bool is_output;
+  const char* way;   ///< "in", "out", "service"
   const char* name;
-  const char* type;  ///< ROS 1's spelling
+  const char* type;   ///< ROS 1's spelling
+  const char* where;  ///< where it is there: "always", or a condition
   const char* meaning;
 };
 

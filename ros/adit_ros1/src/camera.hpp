@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "adit/io/frame_source.hpp"
+#include "adit/node/launch_config.hpp"
 
 namespace adit_ros1 {
 
@@ -25,10 +26,7 @@ class CameraNode {
   void publish();
 
   ros::NodeHandle nh_;
-  std::string input_, frame_id_ = "camera_optical";
-  double rate_hz_ = 30.0, hfov_deg_ = 75.0;
-  bool loop_ = true, preload_ = false;
-  int freeze_after_ = 0;  ///< frames; 0: never. For tests: the driver goes on, the picture does not
+  adit::node::CameraLaunch launch_;
   std::vector<std::unique_ptr<adit::io::FrameSource>> sources_;
   std::vector<cv::Mat> loaded_;  ///< with preload
   std::size_t next_ = 0;

@@ -37,8 +37,10 @@ mavros_msgs::PositionTarget position_target_of(const adit::node::VelocityCommand
 }  // namespace
 
 ControllerNode::ControllerNode(ros::NodeHandle nh, ros::NodeHandle private_nh, const std::string& name)
-    : nh_(nh), parameters_(private_nh, fields()), updater_(nh, private_nh, name) {
-  private_nh.param("body_frame", body_frame_, body_frame_);
+    : nh_(nh),
+      launch_(launch_parameters<adit::node::ControlLaunch>(private_nh)),
+      parameters_(private_nh, fields()),
+      updater_(nh, private_nh, name) {
   cmd_vel_ = nh_.advertise<geometry_msgs::Twist>("cmd_vel", 1);
   setpoint_velocity_ = nh_.advertise<geometry_msgs::TwistStamped>("setpoint_velocity/cmd_vel", 1);
 #ifdef ADIT_WITH_MAVROS
@@ -53,8 +55,9 @@ ControllerNode::ControllerNode(ros::NodeHandle nh, ros::NodeHandle private_nh, c
   updater_.add("controller", [this](diagnostic_updater::DiagnosticStatusWrapper& status) {
     if (!ros::Time::now().isZero()) fill(status, control_.diagnosis(now()));
   });
-  // Wall time: a watchdog that waits for a simulated clock would not bark when it stops.
-  ticks_ = nh_.createWallTimer(ros::WallDuration(kTickEach_s), [this](const ros::WallTimerEvent&) { tick(); });
+  // How often it looks does not depend on a simulated clock, nor on one that somebody sets; what is fresh is judged by
+  // ROS time. While a simulated clock stands still the world does, too, and nothing grows old.
+  ticks_ = nh_.createSteadyTimer(ros::WallDuration(kTickEach_s), [this](const ros::SteadyTimerEvent&) { tick(); });
   report_ = nh_.createWallTimer(ros::WallDuration(kReportEach_s),
                                 [this](const ros::WallTimerEvent&) { updater_.force_update(); });
 }
@@ -101,12 +104,12 @@ void ControllerNode::tick() {
 void ControllerNode::publish(const adit::node::VelocityCommand& command) {
   geometry_msgs::TwistStamped stamped;
   stamped.header.stamp = ros::Time::now();
-  stamped.header.frame_id = body_frame_;
+  stamped.header.frame_id = launch_.body_frame;
   stamped.twist = twist_of(command);
   cmd_vel_.publish(stamped.twist);
   setpoint_velocity_.publish(stamped);
 #ifdef ADIT_WITH_MAVROS
-  setpoint_raw_.publish(position_target_of(command, stamped.header.stamp, body_frame_));
+  setpoint_raw_.publish(position_target_of(command, stamped.header.stamp, launch_.body_frame));
 #endif
 }
 

@@ -8,6 +8,7 @@
 
 #include "adit/node/control.hpp"
 #include "field_server.hpp"
+#include "launch_parameters.hpp"
 #include "messages.hpp"
 
 namespace adit_ros1 {
@@ -25,13 +26,14 @@ class ControllerNode {
   FieldServer::Fields fields();
 
   ros::NodeHandle nh_;
-  std::string body_frame_ = "base_link";
+  adit::node::ControlLaunch launch_;
   adit::node::Control control_;
   FieldServer parameters_;
   diagnostic_updater::Updater updater_;
   ros::Subscriber open_space_, heading_;
   ros::Publisher cmd_vel_, setpoint_velocity_, setpoint_raw_, latency_, state_;
-  ros::WallTimer ticks_, report_;
+  ros::SteadyTimer ticks_;
+  ros::WallTimer report_;
   std::string last_state_;
 };
 

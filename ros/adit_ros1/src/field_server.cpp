@@ -3,6 +3,8 @@
 #include <stdexcept>
 #include <variant>
 
+#include "launch_parameters.hpp"
+
 namespace adit_ros1 {
 namespace {
 
@@ -92,26 +94,8 @@ void FieldServer::take(const std::string& name, const ParameterValue& value) {
 }
 
 void FieldServer::read_parameters() {
-  for (const Parameter& p : defaults_) {
-    XmlRpc::XmlRpcValue value;
-    if (!nh_.getParam(p.name, value)) continue;
-    switch (value.getType()) {
-      case XmlRpc::XmlRpcValue::TypeBoolean:
-        take(p.name, static_cast<bool>(value));
-        break;
-      case XmlRpc::XmlRpcValue::TypeInt:
-        take(p.name, static_cast<int>(value));
-        break;
-      case XmlRpc::XmlRpcValue::TypeDouble:
-        take(p.name, static_cast<double>(value));
-        break;
-      case XmlRpc::XmlRpcValue::TypeString:
-        take(p.name, static_cast<std::string>(value));
-        break;
-      default:
-        throw std::invalid_argument(nh_.getNamespace() + "/" + p.name + ": neither number, text nor boolean");
-    }
-  }
+  for (const Parameter& p : defaults_)
+    if (const auto value = parameter_at(nh_, p.name)) take(p.name, *value);
 }
 
 bool FieldServer::reconfigure(dynamic_reconfigure::Reconfigure::Request& request,

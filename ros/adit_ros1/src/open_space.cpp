@@ -15,12 +15,10 @@ constexpr double kComplainEach_s = 5.0;
 OpenSpaceNode::OpenSpaceNode(ros::NodeHandle nh, ros::NodeHandle private_nh, const std::string& name)
     : nh_(nh),
       private_nh_(private_nh),
+      launch_(launch_parameters<adit::node::PerceptionLaunch>(private_nh)),
       parameters_(private_nh, fields()),
       updater_(nh, private_nh, name),
       transport_(nh) {
-  private_nh_.param("body_frame", body_frame_, body_frame_);
-  std::string transport = "raw";
-  private_nh_.param("image_transport", transport, transport);
   open_space_ = nh_.advertise<adit_ros1::OpenSpace>("open_space", 1);
   heading_ = nh_.advertise<geometry_msgs::TwistStamped>("heading", 1);
   direction_ = nh_.advertise<geometry_msgs::PoseStamped>("direction", 1);
@@ -35,10 +33,13 @@ OpenSpaceNode::OpenSpaceNode(ros::NodeHandle nh, ros::NodeHandle private_nh, con
   updater_.setHardwareID("none");
   updater_.add("open space", [this](diagnostic_updater::DiagnosticStatusWrapper& status) {
     fill(status, perception_.diagnosis(time_of(ros::Time::now())));
+    status.add("overlays made", overlays_made_);
+    status.add("scattering depths made", scattering_depths_made_);
+    status.add("arrows made", arrows_made_);
   });
   report_ = nh_.createWallTimer(ros::WallDuration(kReportEach_s),
                                 [this](const ros::WallTimerEvent&) { updater_.force_update(); });
-  subscribe(transport);
+  subscribe();
 }
 
 FieldServer::Fields OpenSpaceNode::fields() {
@@ -49,15 +50,15 @@ FieldServer::Fields OpenSpaceNode::fields() {
 }
 
 /// Compressed images are read here: no plugin has to be there for it. Every other transport is image_transport's.
-void OpenSpaceNode::subscribe(const std::string& transport) {
+void OpenSpaceNode::subscribe() {
   const auto no_delay = ros::TransportHints().tcpNoDelay();
-  if (transport == "compressed") {
+  if (launch_.image_transport == "compressed") {
     compressed_ =
         nh_.subscribe(nh_.resolveName("image") + "/compressed", 1, &OpenSpaceNode::take_compressed, this, no_delay);
     return;
   }
   image_ = transport_.subscribe("image", 1, &OpenSpaceNode::take_image, this,
-                                image_transport::TransportHints(transport, no_delay, private_nh_));
+                                image_transport::TransportHints(launch_.image_transport, no_delay, private_nh_));
 }
 
 void OpenSpaceNode::take_image(const sensor_msgs::ImageConstPtr& image) {
@@ -88,24 +89,26 @@ void OpenSpaceNode::judge(const adit::node::ImageMessage& message, const std::st
 
 void OpenSpaceNode::publish(const adit::node::Sighting& sighting, const std::string& frame_id) {
   open_space_.publish(boost::make_shared<adit_ros1::OpenSpace>(open_space_of(sighting, frame_id)));
-  heading_.publish(boost::make_shared<geometry_msgs::TwistStamped>(heading_of(sighting, body_frame_)));
-  if (sighting.open_space.found() && direction_.getNumSubscribers() > 0)
-    direction_.publish(direction_of(sighting, frame_id));
+  heading_.publish(boost::make_shared<geometry_msgs::TwistStamped>(heading_of(sighting, launch_.body_frame)));
+  if (!sighting.open_space.found() || direction_.getNumSubscribers() == 0) return;
+  ++arrows_made_;
+  direction_.publish(direction_of(sighting, frame_id));
 }
 
 void OpenSpaceNode::publish_pictures(const adit::node::ImageMessage& message, const adit::node::Sighting& sighting,
                                      const std::string& frame_id) {
   const adit::FinderConfig& finder = perception_.finder_config();
-  const auto publish = [&](ros::Publisher& publisher, const sensor_msgs::ImagePtr& picture) {
+  const auto publish = [&](ros::Publisher& publisher, const sensor_msgs::ImagePtr& picture, std::int64_t& made) {
+    ++made;
     picture->header.stamp = time_of(sighting.stamp_ns);
     picture->header.frame_id = frame_id;
     publisher.publish(picture);
   };
   if (overlay_.getNumSubscribers() > 0)
-    publish(overlay_, overlay_image(view_of(message).view, sighting, finder.grey16_depth_bits));
+    publish(overlay_, overlay_image(view_of(message).view, sighting, finder.grey16_depth_bits), overlays_made_);
   if (scattering_depth_.getNumSubscribers() == 0) return;
   if (const auto stages = perception_.explain(message))
-    publish(scattering_depth_, scattering_depth_image(*stages, finder));
+    publish(scattering_depth_, scattering_depth_image(*stages, finder), scattering_depths_made_);
 }
 
 }  // namespace adit_ros1

@@ -13,6 +13,7 @@
 
 #include "adit/node/perception.hpp"
 #include "field_server.hpp"
+#include "launch_parameters.hpp"
 #include "messages.hpp"
 
 namespace adit_ros1 {
@@ -24,7 +25,7 @@ class OpenSpaceNode {
   OpenSpaceNode(ros::NodeHandle nh, ros::NodeHandle private_nh, const std::string& name);
 
  private:
-  void subscribe(const std::string& transport);
+  void subscribe();
   void take_image(const sensor_msgs::ImageConstPtr& image);
   void take_compressed(const sensor_msgs::CompressedImageConstPtr& image);
   void judge(const adit::node::ImageMessage& message, const std::string& frame_id);
@@ -34,7 +35,7 @@ class OpenSpaceNode {
   FieldServer::Fields fields();
 
   ros::NodeHandle nh_, private_nh_;
-  std::string body_frame_ = "base_link";
+  adit::node::PerceptionLaunch launch_;
   adit::node::Perception perception_;
   FieldServer parameters_;
   diagnostic_updater::Updater updater_;
@@ -43,6 +44,7 @@ class OpenSpaceNode {
   ros::Subscriber compressed_, camera_info_, imu_;
   ros::Publisher open_space_, heading_, direction_, scattering_depth_, overlay_;
   ros::WallTimer report_;
+  std::int64_t overlays_made_ = 0, scattering_depths_made_ = 0, arrows_made_ = 0;  ///< for those who listened
 };
 
 }  // namespace adit_ros1

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "launch_parameters.hpp"
 #include "sim_messages.hpp"
 
 namespace adit_ros1 {
@@ -19,25 +20,10 @@ struct SimNode::Picture {
   sensor_msgs::CameraInfo info;
 };
 
-SimNode::SimNode(ros::NodeHandle nh, ros::NodeHandle private_nh) : nh_(nh) {
-  int seed = 1;
-  private_nh.param("course_file", config_.course_file, config_.course_file);
-  private_nh.param("lamp", config_.lamp, config_.lamp);
-  private_nh.param("dust_1_m", config_.dust_1_m, config_.dust_1_m);
-  private_nh.param("width", config_.width, config_.width);
-  private_nh.param("height", config_.height, config_.height);
-  private_nh.param("seed", seed, seed);
-  private_nh.param("camera_rate_hz", config_.camera_rate_hz, config_.camera_rate_hz);
-  private_nh.param("time_max_s", config_.time_max_s, config_.time_max_s);
-  private_nh.param("threads", config_.threads, config_.threads);
-  private_nh.param("lockstep", lockstep_, lockstep_);
-  private_nh.param("wait_s", wait_s_, wait_s_);
-  private_nh.param("pilot_s", pilot_s_, pilot_s_);
-  private_nh.param("real_time_factor", real_time_factor_, real_time_factor_);
-  private_nh.param("camera_delay_frames", camera_delay_frames_, camera_delay_frames_);
-  private_nh.param("stop_camera_after", stop_camera_after_, stop_camera_after_);
-  config_.seed = static_cast<std::uint64_t>(seed);
-  robot_ = std::make_unique<adit::node::SimulatedRobot>(config_);
+SimNode::SimNode(ros::NodeHandle nh, ros::NodeHandle private_nh)
+    : nh_(nh),
+      launch_(launch_parameters<adit::node::SimLaunch>(private_nh)),
+      robot_(std::make_unique<adit::node::SimulatedRobot>(launch_.robot)) {
   clock_ = nh_.advertise<rosgraph_msgs::Clock>("/clock", 10);
   image_ = nh_.advertise<sensor_msgs::Image>("camera/image_raw", 2);
   camera_info_ = nh_.advertise<sensor_msgs::CameraInfo>("camera/camera_info", 2);
@@ -64,7 +50,7 @@ void SimNode::publish_clock() {
 
 /// A flight that begins before anybody looks is a flight into the wall.
 void SimNode::wait_for_pilot() {
-  const ros::WallTime until = ros::WallTime::now() + ros::WallDuration(pilot_s_);
+  const ros::WallTime until = ros::WallTime::now() + ros::WallDuration(launch_.pilot_s);
   while (ros::ok() && ros::WallTime::now() < until &&
          (image_.getNumSubscribers() == 0 || cmd_vel_.getNumPublishers() == 0)) {
     publish_clock();
@@ -74,14 +60,14 @@ void SimNode::wait_for_pilot() {
 
 void SimNode::publish_frame() {
   ++frames_;
-  if (stop_camera_after_ > 0 && frames_ > stop_camera_after_) return;
+  if (launch_.stop_camera_after > 0 && frames_ > launch_.stop_camera_after) return;
   auto picture = std::make_shared<Picture>();
   picture->image = image_of(robot_->look());
   picture->info = camera_info_of(robot_->camera().model());
   picture->image.header.stamp = picture->info.header.stamp = time_of_s(robot_->time_s());
   picture->image.header.frame_id = picture->info.header.frame_id = kOpticalFrame;
   on_the_way_.push_back(std::move(picture));
-  if (static_cast<int>(on_the_way_.size()) <= camera_delay_frames_) return;
+  if (static_cast<int>(on_the_way_.size()) <= launch_.camera_delay_frames) return;
   camera_info_.publish(on_the_way_.front()->info);
   image_.publish(on_the_way_.front()->image);
   on_the_way_.pop_front();
@@ -102,14 +88,14 @@ void SimNode::publish_motion() {
 /// True when one came for this frame.
 bool SimNode::wait_for_command() {
   const std::int64_t before = commands_;
-  const ros::WallTime until = ros::WallTime::now() + ros::WallDuration(wait_s_);
+  const ros::WallTime until = ros::WallTime::now() + ros::WallDuration(launch_.wait_s);
   while (ros::ok() && commands_ == before && ros::WallTime::now() < until)
     ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.005));
   return commands_ != before;
 }
 
 void SimNode::pace(ros::WallTime& due) {
-  due += ros::WallDuration(1.0 / (config_.camera_rate_hz * real_time_factor_));
+  due += ros::WallDuration(1.0 / (launch_.robot.camera_rate_hz * launch_.real_time_factor));
   const ros::WallTime now = ros::WallTime::now();
   if (due < now) due = now;  // slower than asked for: the clock is, too
   while (ros::ok() && ros::WallTime::now() < due)
@@ -140,8 +126,8 @@ void SimNode::run() {
     publish_clock();
     publish_motion();
     publish_frame();
-    if (lockstep_)
-      waits_in_vain_ += frames_ > camera_delay_frames_ && !wait_for_command();
+    if (launch_.lockstep)
+      waits_in_vain_ += frames_ > launch_.camera_delay_frames && !wait_for_command();
     else
       pace(due);
     if (!robot_->fly(forward_m_s_, yaw_rate_rad_s_)) break;

@@ -11,6 +11,7 @@
 #include <memory>
 #include <string>
 
+#include "adit/node/launch_config.hpp"
 #include "adit/node/simulated_robot.hpp"
 
 namespace adit_ros1 {
@@ -32,13 +33,7 @@ class SimNode {
   [[nodiscard]] bool wait_for_command();
 
   ros::NodeHandle nh_;
-  adit::node::SimulatedRobotConfig config_;
-  bool lockstep_ = false;
-  double wait_s_ = 1.0;  ///< lockstep: for a command, at the most, wall time
-  double real_time_factor_ = 1.0;
-  double pilot_s_ = 10.0;  ///< for somebody who listens to the camera, at the most, wall time
-  int camera_delay_frames_ = 1;
-  int stop_camera_after_ = 0;  ///< frames; 0: never. For tests: the camera dies in flight
+  adit::node::SimLaunch launch_;
   std::unique_ptr<adit::node::SimulatedRobot> robot_;
   double forward_m_s_ = 0.0, yaw_rate_rad_s_ = 0.0;
   std::int64_t commands_ = 0, frames_ = 0, waits_in_vain_ = 0;

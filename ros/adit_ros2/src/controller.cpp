@@ -8,6 +8,7 @@
 #include <std_msgs/msg/string.hpp>
 
 #include "adit/node/control.hpp"
+#include "adit/node/launch_config.hpp"
 #include "adit_ros2/msg/open_space.hpp"
 #include "parameters.hpp"
 
@@ -16,7 +17,9 @@ namespace adit_ros2 {
 class ControllerNode : public rclcpp::Node {
  public:
   explicit ControllerNode(const rclcpp::NodeOptions& options)
-      : Node("controller", options), updater_(this), body_frame_(declare_parameter("body_frame", "base_link")) {
+      : Node("controller", options),
+        updater_(this),
+        body_frame_(declare_parameter("body_frame", adit::node::ControlLaunch().body_frame)) {
     handle_ = serve(*this, {[this] { return control_.parameters(); },
                             [this](const std::string& name, const adit::node::ParameterValue& value) {
                               return control_.set(name, value);
@@ -39,7 +42,8 @@ class ControllerNode : public rclcpp::Node {
       status.summary(static_cast<std::uint8_t>(d.level), d.message);
       for (const auto& [key, value] : d.values) status.add(key, value);
     });
-    // Wall time: a watchdog that waits for a simulated clock would not bark when it stops.
+    // How often it looks does not depend on a simulated clock, nor on one that somebody sets; what is fresh is judged
+    // by ROS time. While a simulated clock stands still the world does, too, and nothing grows old.
     ticks_ = create_wall_timer(std::chrono::milliseconds(50), [this] { tick(); });
   }
 

@@ -16,6 +16,7 @@
 
 #include "adit/io/draw.hpp"
 #include "adit/node/direction.hpp"
+#include "adit/node/launch_config.hpp"
 #include "adit/node/perception.hpp"
 #include "parameters.hpp"
 
@@ -111,7 +112,9 @@ Image scattering_depth_of(const adit::StageImages& stages, const adit::FinderCon
 class OpenSpaceNode : public rclcpp::Node {
  public:
   explicit OpenSpaceNode(const rclcpp::NodeOptions& options)
-      : Node("open_space", options), updater_(this), body_frame_(declare_parameter("body_frame", "base_link")) {
+      : Node("open_space", options),
+        updater_(this),
+        body_frame_(declare_parameter("body_frame", adit::node::PerceptionLaunch().body_frame)) {
     handle_ = serve(*this, {[this] { return perception_.parameters(); },
                             [this](const std::string& name, const adit::node::ParameterValue& value) {
                               return perception_.set(name, value);
@@ -132,7 +135,8 @@ class OpenSpaceNode : public rclcpp::Node {
         });
     image_ = image_transport::create_subscription(
         this, "image", [this](const Image::ConstSharedPtr& m) { take(*m); },
-        declare_parameter("image_transport", "raw"), rclcpp::SensorDataQoS().get_rmw_qos_profile());
+        declare_parameter("image_transport", adit::node::PerceptionLaunch().image_transport),
+        rclcpp::SensorDataQoS().get_rmw_qos_profile());
     updater_.setHardwareID("none");
     updater_.add("open space", [this](diagnostic_updater::DiagnosticStatusWrapper& status) {
       const auto d = perception_.diagnosis(now().nanoseconds());

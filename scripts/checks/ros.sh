@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # The ROS 1 package, built and flown: rostest suites against a roscore on loopback. Skipped where ROS is not installed.
+# shellcheck disable=SC2317  # functions that are called by their names
 . "$(dirname "${BASH_SOURCE[0]}")/prelude.sh"
 if ! scripts/setup --ros --check ros rostest bag; then
   echo "ros: skipped: ROS 1 is not installed here (scripts/setup --ros installs it)"
@@ -20,74 +21,97 @@ quietly ros1-vga "$ADIT_PROGRAM" render s_bend --frames 60 --out build/ros1-data
 quietly ros1-recording "$ADIT_PROGRAM" fly s_bend --method paper --time 4 --set lens.width=160 --set lens.height=120 \
   --bag "$ADIT_RECORDING" --quiet
 
-# Against adit as it is installed, which is what was built above. From adit's sources (what a catkin workspace does) it is
-# configured here, and built with ADIT_ROS_FROM_SOURCE=1: the same files once more.
+# As the README tells newcomers: a catkin workspace with this project in it, and catkin_make. The project is linked and not
+# cloned, and the build folder lies where the compiler's cache sees the same paths as in the build above. Beside it stands a
+# message that goes by MAVROS's name (test/stand_in/mavros_msgs), so that the controller's part for MAVROS is compiled and tried.
 begin=$SECONDS
-if [ -n "${ADIT_ROS_FROM_SOURCE:-}" ]; then
-  from=(-DADIT_ROS1_INSTALLED=OFF)
-else
-  rm -rf build/ros1-adit  # a header that is gone must not be found
-  quietly ros1-install cmake --install build/release --prefix build/ros1-adit --component development
-  from=(-DADIT_ROS1_INSTALLED=ON "-Dadit_DIR=$(dirname "$(find "$PWD/build/ros1-adit" -name adit-config.cmake)")")
-  quietly ros1-source cmake -S ros/adit_ros1 -B build/ros1-source -G Ninja -DPYTHON_EXECUTABLE=/usr/bin/python3
-fi
+space=build/ros1-space
+rm -rf "$space/src" && mkdir -p "$space/src/adit"
+for entry in *; do
+  if [ "$entry" != build ]; then ln -s "$PWD/$entry" "$space/src/adit/"; fi
+done
+cp -r ros/adit_ros1/test/stand_in/mavros_msgs "$space/src/"
+export ADIT_MAVROS=1
+in_space() { (cd "$space" && catkin_make --build ../ros1-space-build --use-ninja -j "$jobs" "$@"); }
+quietly ros1-space in_space -DCMAKE_BUILD_TYPE=Release -DPYTHON_EXECUTABLE=/usr/bin/python3 -DADIT_WERROR=ON
+quietly ros1-space-install in_space install
+unset ADIT_MAVROS
+echo "built the workspace $space in $((SECONDS - begin)) s"
+
+# And against adit as it is installed, which is what was built above, without MAVROS's messages: nodes and nodelets alone.
+begin=$SECONDS
+rm -rf build/ros1-adit  # a header that is gone must not be found
+quietly ros1-install cmake --install build/release --prefix build/ros1-adit --component development
 quietly ros1-configure cmake -S ros/adit_ros1 -B build/ros1 -G Ninja -DCMAKE_BUILD_TYPE=Release \
-  -DPYTHON_EXECUTABLE=/usr/bin/python3 "${from[@]}"
+  -DPYTHON_EXECUTABLE=/usr/bin/python3 -DADIT_ROS1_INSTALLED=ON -DCATKIN_ENABLE_TESTING=OFF \
+  "-Dadit_DIR=$(dirname "$(find "$PWD/build/ros1-adit" -name adit-config.cmake)")"
 quietly ros1-build cmake --build build/ros1 --parallel "$jobs"
 echo "built build/ros1 in $((SECONDS - begin)) s"
-set +u  # catkin's script asks for variables that are not set
-# shellcheck source=/dev/null
-. build/ros1/devel/setup.sh
-set -u
 
 status=0
-# What a launch file would start, with these arguments: none of its files, arguments and conditions is broken.
-launch_names() {  # WANTED LAUNCH-FILE ARGUMENT...
-  local wanted=$1 found
+judged() {  # WORDS COMMAND...: one test more, passed when the command is.
+  local words=$1
   shift
-  found=$(roslaunch --nodes adit_ros1 "$@" 2> build/ros1/launch.log | sort | xargs) || true
-  if [ "$found" = "$wanted" ]; then
+  if "$@"; then
     tally 1 0 0
   else
-    echo "roslaunch --nodes adit_ros1 $*: '$found', not '$wanted'"
-    cat build/ros1/launch.log
+    echo "ros: $words"
     tally 0 1 0
     status=1
   fi
 }
-launch_names '/adit_manager /controller /open_space' perception.launch
-launch_names '/open_space' perception.launch manager:=/cam/manager controller:=false
-launch_names '/camera /camera_manager /controller /open_space /rviz' camera.launch input:=/dev/video0 rviz:=true
-launch_names '/adit_manager /bag /controller /open_space /rqt /rviz' bag.launch bag:=drift.bag rqt:=true
-launch_names '/controller /open_space /rviz /sim' simulation.launch course_file:=s_bend.yaml rviz:=true
 
-# All that can be judged of the ROS 2 package here: the same messages, and a launch file that is Python.
-ros2_reads() {
-  local message
-  for message in ros/adit_ros1/msg/*.msg; do
-    diff <(sed 's|^Header |std_msgs/Header |' "$message") "ros/adit_ros2/msg/$(basename "$message")" || return 1
-  done
-  python3 -c 'import ast, sys; ast.parse(open(sys.argv[1]).read())' ros/adit_ros2/launch/perception.launch.py
+# enter SETUP: what follows sees the packages of this space alone, beside the system's.
+enter() {
+  unset CMAKE_PREFIX_PATH ROS_PACKAGE_PATH PYTHONPATH LD_LIBRARY_PATH
+  set +u  # catkin's script asks for variables that are not set
+  # shellcheck source=/dev/null
+  . "$1"
+  set -u
 }
-if ros2_reads; then
-  tally 1 0 0
-else
-  echo "ros/adit_ros2: its messages or its launch file"
-  tally 0 1 0
-  status=1
-fi
+
+# What a launch file would start, with these arguments: none of its files, arguments and conditions is broken.
+launch_names() {  # WANTED LAUNCH-FILE ARGUMENT...
+  local wanted=$1 found
+  shift
+  found=$(roslaunch --nodes adit_ros1 "$@" 2> build/ros1-launch.log | sort | xargs) || true
+  if [ "$found" = "$wanted" ]; then return; fi
+  echo "roslaunch --nodes adit_ros1 $*: '$found', not '$wanted'"
+  cat build/ros1-launch.log
+  return 1
+}
+launch_files() {
+  launch_names '/adit_manager /controller /open_space' perception.launch &&
+    launch_names '/open_space' perception.launch manager:=/cam/manager controller:=false &&
+    launch_names '/camera /camera_manager /controller /open_space /rviz' camera.launch input:=/dev/video0 rviz:=true &&
+    launch_names '/adit_manager /bag /controller /open_space /rqt /rviz' bag.launch bag:=drift.bag rqt:=true &&
+    launch_names '/controller /open_space /rviz /sim' simulation.launch course_file:=s_bend.yaml rviz:=true
+}
+
+# All that can be judged of the ROS 2 package here: it is text. Where colcon is installed it finds what the READMEs say it does.
+colcon_finds() {
+  if ! command -v colcon > /dev/null; then
+    echo "ros: colcon is not installed (scripts/setup --ros colcon): whether it finds ros/adit_ros2 was not asked"
+    return
+  fi
+  local found
+  found=$(ROS_VERSION=2 colcon --log-base build/ros2-log list --base-paths ros 2> build/ros2-colcon.log | sort | cut -f 1,3 | xargs) || true
+  if [ "$found" = 'adit_ros1 (ros.catkin) adit_ros2 (ros.ament_cmake)' ]; then return; fi
+  echo "colcon list --base-paths ros: '$found'"
+  cat build/ros2-colcon.log
+  return 1
+}
+judged "ros/adit_ros2 is not in order" /usr/bin/python3 ros/adit_ros2/test/check_sources.py
+judged "colcon does not find the packages" colcon_finds
+well_formed() { xmllint --noout ros/*/package.xml ros/adit_ros1/nodelets.xml ros/adit_ros1/*/*.{launch,test} gz/*/model.* gz/worlds/*.sdf; }
+if command -v xmllint > /dev/null; then judged "a file of XML is none" well_formed; fi
 
 # A count in rostest's summary, which is coloured when it is bad news.
 summary_count() { sed -n "s/^.*\* $1: \([0-9][0-9]*\).*/\1/p" "$2" | head -n 1; }
 
-run_suite() {  # FILE
-  local name log verdict=passed begin=$SECONDS failed errors total
-  name=$(basename "$1" .test)
-  log=build/ros1/$name.log
-  # Two minutes of the one are the soak: memory has to stay flat.
-  if [ "$name" = latency ]; then export ADIT_LATENCY_S=${ADIT_SOAK_S:-120}; else export ADIT_LATENCY_S=20; fi
-  timeout $((ADIT_LATENCY_S + 600)) rostest --results-base-dir="$PWD/build/ros1/results" "$1" > "$log" 2>&1 ||
-    verdict=FAILED
+run_suite() {  # SPACE NAME
+  local results="$PWD/$1/results" name=$2 log=$1/$2.log verdict=passed begin=$SECONDS failed errors total
+  timeout "${3:-600}" rostest --results-base-dir="$results" "ros/adit_ros1/test/$name.test" > "$log" 2>&1 || verdict=FAILED
   total=$(summary_count TESTS "$log")
   failed=$(summary_count FAILURES "$log") errors=$(summary_count ERRORS "$log")
   failed=$((${failed:-0} + ${errors:-0}))
@@ -96,18 +120,53 @@ run_suite() {  # FILE
   tally $((total - failed)) "$failed" 0
   echo "rostest $name: $verdict, $total tests in $((SECONDS - begin)) s"
   sed -n 's/^.*\(flight through topics:\|latency over\|same numbers:\)/  \1/p' \
-    "build/ros1/results/adit_ros1/rosunit-$name.xml" 2>/dev/null | head -n 4
+    "$results"/adit_ros1/rosunit-"$name"{,_paper,_adit}.xml 2> /dev/null | head -n 5
   if [ $verdict = FAILED ]; then
-    status=1
     tail -n 60 "$log"
+    return 1
   fi
 }
-for file in ros/adit_ros1/test/*.test; do run_suite "$file"; done
+
+# run_suites SPACE NAME...: one after the other.
+run_suites() {
+  local space=$1 suite failed=0
+  shift
+  for suite in "$@"; do
+    run_suite "$space" "$suite" || failed=1
+  done
+  return $failed
+}
+
+# The workspace's, with MAVROS's message. The soak takes its two minutes beside the others (memory has to stay flat), and so do
+# the suites that wait for answers and not for time.
+space=build/ros1-space
+enter "$space/devel/setup.sh"
+judged "a launch file is broken" launch_files
+export ADIT_SOAK_S=${ADIT_SOAK_S:-120}
+beside=()
+run_suite "$space" soak $((ADIT_SOAK_S + 600)) > "$space/soak.out" 2>&1 &
+beside+=($!)
+run_suites "$space" s_bend bag zero_copy > "$space/beside.out" 2>&1 &
+beside+=($!)
+run_suites "$space" topics graph signs faults clock inputs parameters watchdog recording || status=1
+for one in "${beside[@]}"; do wait "$one" || status=1; done
+cat "$space/beside.out" "$space/soak.out"
+# Then nothing else of ours runs.
+run_suites "$space" latency latency_processes || status=1
+
+# The install space: its launch file finds its nodelets, and commands come.
+enter "$space/install/setup.sh"
+judged "a launch file is broken where it is installed" launch_files
+run_suite "$space" installed || status=1
+
+# Without MAVROS's message, against the installed adit: the tables and the signs once more.
+enter build/ros1/devel/setup.sh
+run_suites build/ros1 graph signs || status=1
 
 # Everything that roslaunch starts has a log file under ROS_HOME on its command line.
-if pgrep -af "$ROS_HOME" > build/ros1/left.log; then
+if pgrep -af "$ROS_HOME" > build/ros1-left.log; then
   echo "processes are left over:"
-  cat build/ros1/left.log
+  cat build/ros1-left.log
   tally 0 1 0
   status=1
 else

@@ -41,6 +41,26 @@ class Listener:
                     return None
                 self._lock.wait(left)
 
+    def stop(self):
+        """Nobody listens any more."""
+        self._subscriber.unregister()
+
+    def wait_count_of(self, wanted, count, timeout_s=20.0):
+        """So many messages for which wanted(message) holds."""
+        end = time.monotonic() + timeout_s
+        with self._lock:
+            while True:
+                found = [message for _, message in self._kept if wanted(message)]
+                if len(found) >= count or time.monotonic() >= end:
+                    return found
+                self._lock.wait(max(0.0, end - time.monotonic()))
+
+    def wait_last(self, wanted, timeout_s=20.0):
+        """The last kept message for which wanted(message) holds; None when none came in time."""
+        self.wait(wanted, timeout_s)
+        found = [message for _, message in self.all() if wanted(message)]
+        return found[-1] if found else None
+
     def wait_count(self, count, timeout_s=20.0):
         """So many messages, or fewer when they did not come in time."""
         end = time.monotonic() + timeout_s

@@ -100,6 +100,26 @@ class Topics(unittest.TestCase):
             self.assertEqual((picture.width, picture.height), (info.width, info.height))
             self.assertEqual(len(picture.data), picture.step * picture.height)
 
+    def test_nothing_is_made_for_nobody(self):
+        """How many of each were made is told by the diagnostics: none while nobody listens, and again none afterwards."""
+        diagnostics = Listener("/diagnostics", DiagnosticArray)
+
+        def made():
+            diagnostics.clear()
+            status = status_of(diagnostics.wait_count_of(lambda m: status_of(m, "open space"), 2)[-1], "open space")
+            return [int(value_of(status, key)) for key in ("overlays made", "scattering depths made", "arrows made")]
+        for i, (topic, kind) in enumerate((("overlay", Image), ("scattering_depth", Image), ("direction", PoseStamped))):
+            before = made()
+            self.assertEqual(made(), before, "made while nobody listens")
+            listener = Listener(topic, kind)
+            self.assertEqual(len(listener.wait_count(5)[:5]), 5, topic)
+            listener.stop()
+            after = made()
+            self.assertGreaterEqual(after[i] - before[i], 5, topic)
+            self.assertEqual(made(), after, "nobody listens any more")
+            others = [k for k in range(3) if k != i]
+            self.assertEqual([after[k] for k in others], [before[k] for k in others], "and the others are not made with it")
+
     def test_diagnostics_name_what_is(self):
         diagnostics = Listener("/diagnostics", DiagnosticArray)
         message = diagnostics.wait(lambda m: status_of(m, "open space"))

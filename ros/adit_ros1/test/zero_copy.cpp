@@ -1,11 +1,14 @@
-// Publisher and perception in one process, as in a nodelet manager: perception reads the very pixels that were
-// published.
+// Perception reads the very pixels that were published: as a node in the publisher's process, and as the nodelet that a
+// manager's loader has loaded from its plugin.
 #include <gtest/gtest.h>
+#include <nodelet/loader.h>
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
 
 #include <boost/make_shared.hpp>
+#include <future>
 #include <optional>
+#include <thread>
 
 #include "open_space.hpp"
 
@@ -73,6 +76,84 @@ TEST_F(ZeroCopyTest, PerceptionReadsThePixelsThatWerePublished) {
   EXPECT_EQ(of_turned->header.stamp, turned->header.stamp);
   EXPECT_EQ(of_turned->status_text, "too_dark");
   EXPECT_EQ(address_, turned.get());
+}
+
+/// The nodelet manager is this loader and no more; it calls nodelets on threads of its own.
+class NodeletTest : public testing::Test {
+ protected:
+  NodeletTest() {
+    ros::param::set("/zero_copy_nodelet/method", "paper");
+    is_loaded_ = loader_.load("/zero_copy_nodelet", "adit_ros1/OpenSpace",
+                              {{ros::names::resolve("image"), ros::names::resolve("managed/image")},
+                               {ros::names::resolve("open_space"), ros::names::resolve("managed/open_space")}},
+                              {});
+    images_ = nh_.advertise<sensor_msgs::Image>("managed/image", 1);
+    answers_ = nh_.subscribe<adit_ros1::OpenSpace>("managed/open_space", 10,
+                                                   [this](const adit_ros1::OpenSpaceConstPtr& m) { answer_ = m; });
+  }
+
+  template <class Condition>
+  bool wait(Condition condition) {
+    const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(20.0);
+    while (ros::ok() && !condition() && ros::WallTime::now() < end) {
+      ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.002));
+    }
+    return condition();
+  }
+
+  adit_ros1::OpenSpaceConstPtr answer(const ros::Time& stamp) {
+    wait([&] { return answer_ && answer_->header.stamp == stamp; });
+    return answer_ && answer_->header.stamp == stamp ? answer_ : nullptr;
+  }
+
+  ros::NodeHandle nh_;
+  nodelet::Loader loader_{false};
+  bool is_loaded_ = false;
+  ros::Publisher images_;
+  ros::Subscriber answers_;
+  adit_ros1::OpenSpaceConstPtr answer_;
+};
+
+TEST_F(NodeletTest, TheLoadedNodeletHoldsTheMessageThatWasPublished) {
+  ASSERT_TRUE(is_loaded_);
+  ASSERT_TRUE(wait([&] { return images_.getNumSubscribers() > 0 && answers_.getNumPublishers() > 0; }));
+  // Whoever takes a copy takes it within publish(), and the message dies with us. The nodelet may be done with it
+  // before we let go of it: then it is tried again.
+  const auto here = std::this_thread::get_id();
+  for (int i = 0; i < 200; ++i) {
+    std::promise<std::pair<const sensor_msgs::Image*, std::thread::id>> released;
+    auto end = released.get_future();
+    sensor_msgs::ImagePtr image(new sensor_msgs::Image(*grey_image(255)), [&](sensor_msgs::Image* p) {
+      released.set_value({p, std::this_thread::get_id()});
+      delete p;
+    });
+    const sensor_msgs::Image* address = image.get();
+    const ros::Time stamp = image->header.stamp;
+    images_.publish(image);
+    image.reset();
+    const auto judged = answer(stamp);
+    ASSERT_TRUE(judged);
+    EXPECT_EQ(judged->status_text, "too_bright");
+    const auto [last, thread] = end.get();
+    ASSERT_EQ(last, address);
+    if (thread != here) return;  // the nodelet's thread was the last to hold that very address
+  }
+  FAIL() << "the message never left this thread: the nodelet gets copies";
+}
+
+TEST_F(NodeletTest, TheLoadedNodeletReadsThePixelsThatWerePublished) {
+  ASSERT_TRUE(is_loaded_);
+  ASSERT_TRUE(wait([&] { return images_.getNumSubscribers() > 0 && answers_.getNumPublishers() > 0; }));
+  // Made black right after it was published white; where the nodelet was quicker it is tried again.
+  for (int i = 0; i < 200; ++i) {
+    const sensor_msgs::ImagePtr image = grey_image(255);
+    images_.publish(image);
+    std::fill(image->data.begin(), image->data.end(), std::uint8_t{0});
+    const auto judged = answer(image->header.stamp);
+    ASSERT_TRUE(judged);
+    if (judged->status_text == "too_dark") return;
+  }
+  FAIL() << "what is done to the pixels after publishing is never seen: the nodelet gets copies";
 }
 
 }  // namespace

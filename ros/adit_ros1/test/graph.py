@@ -8,6 +8,7 @@ import unittest
 import rosgraph
 import rospy
 import rostest
+import yaml
 from dynamic_reconfigure.srv import Reconfigure
 from sensor_msgs.srv import SetCameraInfo
 
@@ -117,6 +118,18 @@ class Graph(unittest.TestCase):
 
     def test_sim(self):
         self.check("/sim")
+
+    def test_rviz_looks_at_topics_that_are_there(self):
+        """All that the configurations of RViz listen to is sent by some node, by its own name."""
+        sent = {resolved(name, "/node") for rows in self.tables.values() for way, name, _, _ in rows if way == "out"}
+        folder = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "rviz")
+        for name in os.listdir(folder):
+            with open(os.path.join(folder, name)) as file:
+                displays = yaml.safe_load(file)["Visualization Manager"]["Displays"]
+            topics = {display[key] for display in displays for key in ("Topic", "Image Topic") if key in display}
+            self.assertIn("/overlay", topics, name)
+            self.assertIn("/direction", topics, name)
+            self.assertEqual(topics - sent, set(), name)
 
     def test_each_table_is_of_a_node_that_runs_here(self):
         self.assertEqual(set(self.tables), {table for table, _ in NODES.values()})

@@ -85,7 +85,10 @@ launch_files() {
     launch_names '/open_space' perception.launch manager:=/cam/manager controller:=false &&
     launch_names '/camera /camera_manager /controller /open_space /rviz' camera.launch input:=/dev/video0 rviz:=true &&
     launch_names '/adit_manager /bag /controller /open_space /rqt /rviz' bag.launch bag:=drift.bag rqt:=true &&
-    launch_names '/controller /open_space /rviz /sim' simulation.launch course_file:=s_bend.yaml rviz:=true
+    launch_names '/controller /open_space /rviz /sim' simulation.launch course_file:=s_bend.yaml rviz:=true &&
+    # A recording is not taken to go where the commands send it; a robot's own configuration is left alone.
+    roslaunch --dump-params adit_ros1 bag.launch bag:=drift.bag 2> /dev/null | grep -qx '/open_space/is_steered: false' &&
+    ! roslaunch --dump-params adit_ros1 perception.launch 2> /dev/null | grep -q is_steered
 }
 
 # All that can be judged of the ROS 2 package here: it is text. Where colcon is installed it finds what the READMEs say it does.

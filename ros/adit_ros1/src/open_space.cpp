@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "adit/io/topic_pictures.hpp"
 #include "pictures.hpp"
 
 namespace adit_ros1 {
@@ -105,10 +106,13 @@ void OpenSpaceNode::publish_pictures(const adit::node::ImageMessage& message, co
     publisher.publish(picture);
   };
   if (overlay_.getNumSubscribers() > 0)
-    publish(overlay_, overlay_image(view_of(message).view, sighting, finder.grey16_depth_bits), overlays_made_);
+    publish(overlay_,
+            image_of(adit::io::overlay_of(view_of(message).view, sighting.open_space, sighting.heading,
+                                          finder.grey16_depth_bits)),
+            overlays_made_);
   if (scattering_depth_.getNumSubscribers() == 0) return;
   if (const auto stages = perception_.explain(message))
-    publish(scattering_depth_, scattering_depth_image(*stages, finder), scattering_depths_made_);
+    publish(scattering_depth_, image_of(adit::io::scattering_depth_levels(*stages, finder)), scattering_depths_made_);
 }
 
 }  // namespace adit_ros1

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <diagnostic_updater/diagnostic_updater.hpp>
 #include <geometry_msgs/msg/pose_stamped.hpp>
 #include <geometry_msgs/msg/twist_stamped.hpp>
@@ -14,7 +13,7 @@
 #include <sensor_msgs/msg/camera_info.hpp>
 #include <sensor_msgs/msg/imu.hpp>
 
-#include "adit/io/draw.hpp"
+#include "adit/io/topic_pictures.hpp"
 #include "adit/node/direction.hpp"
 #include "adit/node/launch_config.hpp"
 #include "adit/node/perception.hpp"
@@ -94,16 +93,15 @@ msg::OpenSpace open_space_of(const adit::node::Sighting& s, const std::string& f
   return m;
 }
 
-/// Depth of adit's own kind, 0 is far: not metric, and not called depth (REP 118).
-Image scattering_depth_of(const adit::StageImages& stages, const adit::FinderConfig& config) {
+Image image_of(const cv::Mat& pixels, Time_ns stamp_ns, const std::string& frame_id) {
   Image m;
-  m.width = static_cast<std::uint32_t>(stages.width);
-  m.height = static_cast<std::uint32_t>(stages.height);
-  m.encoding = "mono8";
-  m.step = m.width;
-  const double deepest = -std::log(config.transmission_min) / config.scattering_coefficient;
-  for (const float depth : stages.closing)
-    m.data.push_back(static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(depth / deepest, 0.0, 1.0))));
+  m.header.stamp = time_of(stamp_ns);
+  m.header.frame_id = frame_id;
+  m.width = static_cast<std::uint32_t>(pixels.cols);
+  m.height = static_cast<std::uint32_t>(pixels.rows);
+  m.encoding = pixels.channels() == 1 ? "mono8" : "bgr8";
+  m.step = static_cast<std::uint32_t>(static_cast<std::size_t>(pixels.cols) * pixels.elemSize());
+  m.data.assign(pixels.datastart, pixels.dataend);
   return m;
 }
 
@@ -177,35 +175,14 @@ class OpenSpaceNode : public rclcpp::Node {
       arrow.pose.orientation.w = q.w;
       direction_->publish(arrow);
     }
-    if (scattering_depth_->get_subscription_count() > 0)
-      if (const auto stages = perception_.explain(message)) {
-        Image depth = scattering_depth_of(*stages, perception_.finder_config());
-        depth.header.stamp = time_of(s.stamp_ns);
-        depth.header.frame_id = frame_id;
-        scattering_depth_->publish(depth);
-      }
-    if (overlay_->get_subscription_count() > 0) publish_overlay(message, s, frame_id);
-  }
-
-  void publish_overlay(const adit::node::ImageMessage& message, const adit::node::Sighting& s,
-                       const std::string& frame_id) {
-    const adit::ImageView view = view_of(message).view;
-    const int channels = view.format == adit::PixelFormat::kGrey16 ? 1 : bytes_per_pixel(view.format);
-    const int depth = view.format == adit::PixelFormat::kGrey16 ? CV_16U : CV_8U;
-    const cv::Mat shared(view.height, view.width, CV_MAKETYPE(depth, channels), const_cast<std::uint8_t*>(view.data),
-                         static_cast<std::size_t>(view.stride_bytes));
-    cv::Mat drawn = adit::io::bgr_of(shared, perception_.finder_config().grey16_depth_bits);
-    adit::io::draw_overlay(drawn, s.open_space, s.heading);
-    Image m;
-    m.header.stamp = time_of(s.stamp_ns);
-    m.header.frame_id = frame_id;
-    m.width = static_cast<std::uint32_t>(drawn.cols);
-    m.height = static_cast<std::uint32_t>(drawn.rows);
-    const bool is_rgb = view.format == adit::PixelFormat::kRgb8 || view.format == adit::PixelFormat::kRgba8;
-    m.encoding = is_rgb ? "rgb8" : "bgr8";
-    m.step = m.width * 3;
-    m.data.assign(drawn.datastart, drawn.dataend);
-    overlay_->publish(m);
+    const adit::FinderConfig& finder = perception_.finder_config();
+    if (overlay_->get_subscription_count() > 0)
+      overlay_->publish(
+          image_of(adit::io::overlay_of(view_of(message).view, s.open_space, s.heading, finder.grey16_depth_bits),
+                   s.stamp_ns, frame_id));
+    if (scattering_depth_->get_subscription_count() == 0) return;
+    if (const auto stages = perception_.explain(message))
+      scattering_depth_->publish(image_of(adit::io::scattering_depth_levels(*stages, finder), s.stamp_ns, frame_id));
   }
 
   adit::node::Perception perception_;

@@ -29,8 +29,12 @@ constexpr double kConfidenceMax = 0.96;
 /// Less in dust: of 319 rendered frames of eleven sets 289 were hits, and no real one is among them.
 constexpr double kConfidenceInDust = 0.90;
 /// Rock that exceeds the veil by less than this in nine tenths of the frame is not seen: it is what the tone curve's
-/// rounding to whole levels makes of a smooth lobe.
-constexpr double kNoRock = 0.025;
+/// rounding to whole levels makes of a smooth lobe; and what noise makes of it, for each part of its share in a cell: a
+/// block has a quarter of that, times 2.2 in light, and its brightest tenth lies three deviations above the envelope.
+constexpr double kNoRock = 0.025, kNoRockOfNoise = 3.0 * 2.2 / 4.0;
+/// What of the veil the lobe does not fit, and from where on rock is plainly seen: in rendered dust of 0.5 1/m, which
+/// hides all beyond 2 m, the brightest tenth exceeds the fit by 0.07 to 0.11, and a hit is luck.
+constexpr double kMisfit = 0.04, kRockPlain = 0.14, kSightLeast = 0.4;
 /// What noise alone, amplified, puts the brightest tenth of a black frame above its median; rock at the edge of sight
 /// puts it a third of a stop above.
 constexpr double kNoiseAlone_stops = 0.3;
@@ -40,8 +44,9 @@ constexpr double kVeilOffMin = 0.6;
 
 double confidence_of(double odds, double most) noexcept { return most / (1.0 + std::exp(-odds)); }
 
-bool hides_all_rock(const VeilSight& veil, const OpenSpace& out) noexcept {
-  return out.flags.dust && veil.rock_high < kNoRock;
+/// How much of what can be seen in dust is seen, kSightLeast to 1.
+double sight_of(const VeilSight& veil) noexcept {
+  return std::clamp((veil.rock_high - kMisfit) / (kRockPlain - kMisfit), kSightLeast, 1.0);
 }
 
 void aim(Pixel centroid_px, const Camera& camera, Opening& to) noexcept {
@@ -113,7 +118,8 @@ void AditChain::take(const ImageView& frame, const FinderConfig& config) noexcep
 
 void AditChain::find(const FinderConfig& config, const Camera& camera, OpenSpace& out) noexcept {
   cleaned_.values = level_.values;
-  const double floor_share = NoiseFloor::floor_share(NoiseFloor::noise_share(level_));
+  noise_share_ = NoiseFloor::noise_share(level_);
+  const double floor_share = NoiseFloor::floor_share(noise_share_);
   if (floor_share > 0.0) blur(cleaned_, filter_);  // before least and most are picked, which would be noise
   clean();
   note_levels(out);
@@ -137,11 +143,15 @@ void AditChain::find(const FinderConfig& config, const Camera& camera, OpenSpace
     out.status = Status::kTooDark;
     return;
   }
-  if (hides_all_rock(veil, out)) {
+  if (hides_all_rock(veil, out.flags)) {
     out.status = veil.lobe_in_frame ? Status::kDust : Status::kBlockedLens;
     return;
   }
   note_openings(config, camera, veil, veil_off, out);
+}
+
+bool AditChain::hides_all_rock(const VeilSight& veil, const SightFlags& flags) const noexcept {
+  return flags.dust && veil.rock_high < kNoRock + kNoRockOfNoise * noise_share_;
 }
 
 void AditChain::clean() noexcept {
@@ -190,7 +200,7 @@ constexpr double kFaint_level = 24.0;
 void AditChain::note_flags(const FinderConfig& config, const VeilSight& veil, OpenSpace& out) const noexcept {
   out.veil_fraction = veil.fraction * std::min(1.0, kUndercutNoise * veil.undercut);
   out.flags.dust = out.veil_fraction >= config.dust_veil_min;
-  out.flags.blocked_lens = hides_all_rock(veil, out) && !veil.lobe_in_frame;
+  out.flags.blocked_lens = hides_all_rock(veil, out.flags) && !veil.lobe_in_frame;
   out.flags.too_dark = out.atmospheric_light < kFaint_level;
   int saturated = 0;
   bool steep = false;
@@ -273,7 +283,7 @@ void AditChain::note_openings(const FinderConfig& config, const Camera& camera, 
       continue;
     }
     Opening& to = out.openings[static_cast<std::size_t>(out.opening_count++)];
-    to.confidence = confidence_of(odds, out.flags.dust ? kConfidenceInDust : kConfidenceMax);
+    to.confidence = confidence_of(odds, out.flags.dust ? kConfidenceInDust * sight_of(veil) : kConfidenceMax);
     if (out.flags.dust) {  // the air has one middle, whatever the places of the search
       note_way_through_dust(camera, veil, to);
       break;

@@ -30,6 +30,7 @@ class AditChain {
   void draw(StageImages& images) const;
 
  private:
+  [[nodiscard]] bool hides_all_rock(const VeilSight& veil, const SightFlags& flags) const noexcept;
   void clean() noexcept;
   void brighten_outside_beam() noexcept;
   void search(bool by_cusp) noexcept;
@@ -57,6 +58,7 @@ class AditChain {
   LobeOnCells lobe_on_cells_;
   LightTable table_{};
   std::vector<std::int16_t> elevation_weight_;  ///< of each row of cells, 0 to 256
+  double noise_share_ = 0.0;                    ///< of single cells, in the frame judged last
   bool lamp_known_ = false;
   bool light_usable_ = false;  ///< the frame judged last showed rock in clear air
   CellPlane lamp_;             ///< how far the lamp's pattern lies below its middle, parts of a stop

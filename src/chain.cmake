@@ -25,6 +25,7 @@ target_sources(adit_core PRIVATE
   range_memory.cpp
   reduced_frame.cpp
   scattering_depth.cpp
+  side_mouth.cpp
   stage_images.cpp
   tracker.cpp
   veil.cpp

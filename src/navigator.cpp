@@ -17,6 +17,8 @@ constexpr double kTargetLag_s = 0.2;
 constexpr double kGoalLag_s = 0.3;
 constexpr double kFreeWeight = 2.0;
 constexpr double kSlowFrom_rad = 0.35, kSlowTo_rad = 0.95;  // a target this far off the nose is turned to first
+// Into a side passage it goes about a corner, near which the middle of the drift is the roomier way.
+constexpr double kMouthGoal = 3.0;
 constexpr double kSpeedLag_s = 0.2;
 constexpr double kTrustLag_s = 0.5;
 constexpr double kTrusted = 0.5;  // an opening that is right every other time is worth full speed: the ranges see walls
@@ -69,6 +71,7 @@ Navigator::Navigator(const NavigatorConfig& config, const Camera& camera)
 
 void Navigator::reset() noexcept {
   memory_.reset();
+  side_mouth_.reset();
   tracker_.reset();
   controller_.reset();
   last_stamp_s_.reset();
@@ -158,7 +161,7 @@ NavigatorCommand Navigator::steer(const Sight& sight, double stamp_s, const Moti
   memory_.take(sight.profile, step.time_s);
   ways_ = ways_of(config_.steering, memory_.profile(), memory_.beside());
   trust_ += share_gone(step.time_s, kTrustLag_s) * (sight.open_space.confidence - trust_);
-  choose_gap(sight, step.time_s);
+  choose_gap(step);
   if (manoeuvre_ == Manoeuvre::kWait) manoeuvre_ = Manoeuvre::kFollow;
   blocked_s_ = has_goal_ ? 0.0 : blocked_s_ + step.time_s;
   if (manoeuvre_ == Manoeuvre::kFollow && blocked_s_ >= kBlockedAfter_s) begin_turn();
@@ -189,7 +192,18 @@ NavigatorCommand Navigator::held() noexcept {
   return command_;
 }
 
-void Navigator::choose_gap(const Sight&, double time_s) noexcept {
+/// Whoever prefers a side takes every passage that leaves to it.
+std::optional<double> Navigator::side_mouth(const Step& step) noexcept {
+  const Prefer prefer = config_.steering.prefer;
+  if (prefer == Prefer::kStraight || manoeuvre_ != Manoeuvre::kFollow) {
+    side_mouth_.reset();
+    return std::nullopt;
+  }
+  return side_mouth_.update(memory_.profile(), keeps_right(prefer) ? 1.0 : -1.0, step);
+}
+
+void Navigator::choose_gap(const Step& step) noexcept {
+  const std::optional<double> mouth = side_mouth(step);
   std::array<Gap, kGapsMax> gaps;
   const std::size_t count = gaps_of(config_.steering, memory_.profile(), ways_, gaps);
   const auto worth = [this](const Gap& gap) {
@@ -214,31 +228,38 @@ void Navigator::choose_gap(const Sight&, double time_s) noexcept {
     has_goal_ = false;
     return;
   }
+  if (mouth) {
+    goal_rad_ = *mouth;
+    has_goal_ = true;
+    rival_s_ = 0.0;
+    return;
+  }
   if (same == nullptr) {
     goal_rad_ = best->azimuth_rad;
     has_goal_ = true;
     rival_s_ = 0.0;
     return;
   }
-  rival_s_ = best != same && worth(*best) > 1.3 * worth(*same) ? rival_s_ + time_s : 0.0;
+  rival_s_ = best != same && worth(*best) > 1.3 * worth(*same) ? rival_s_ + step.time_s : 0.0;
   if (rival_s_ >= config_.tracker.switch_after_s) {
     goal_rad_ = best->azimuth_rad;
     rival_s_ = 0.0;
     return;
   }
-  goal_rad_ += share_gone(time_s, kGoalLag_s) * (same->azimuth_rad - goal_rad_);
+  goal_rad_ += share_gone(step.time_s, kGoalLag_s) * (same->azimuth_rad - goal_rad_);
 }
 
 double Navigator::choose_target() const noexcept {
   const SteeringConfig& c = config_.steering;
   const RangeProfile& profile = memory_.profile();
+  const double goal_weight = c.goal_weight * (side_mouth_.taking() ? kMouthGoal : 1.0);
   std::array<double, kRangeBins> cost;
   std::size_t best = 0;
   for (std::size_t bin = 0; bin < kRangeBins; ++bin) {
     const double azimuth = profile.azimuth_rad(static_cast<int>(bin));
     const double lack = std::max(1.0 - static_cast<double>(ways_.free_m[bin]) / c.look_ahead_m, 0.0);
     const double off = azimuth - goal_rad_, change = azimuth - target_rad_;
-    cost[bin] = c.clearance_weight * static_cast<double>(ways_.crowd[bin]) + c.goal_weight * off * off +
+    cost[bin] = c.clearance_weight * static_cast<double>(ways_.crowd[bin]) + goal_weight * off * off +
                 c.change_weight * change * change + kFreeWeight * lack * lack;
     if (cost[bin] < cost[best]) best = bin;
   }

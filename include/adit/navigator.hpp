@@ -13,6 +13,7 @@
 #include "adit/frame_watch.hpp"
 #include "adit/heading.hpp"
 #include "adit/range_memory.hpp"
+#include "adit/side_mouth.hpp"
 #include "adit/tracker.hpp"
 
 namespace ADIT_API adit {
@@ -108,7 +109,8 @@ class Navigator {
 
  private:
   Step step_to(double stamp_s, const Motion& motion) noexcept;
-  void choose_gap(const Sight& sight, double time_s) noexcept;
+  void choose_gap(const Step& step) noexcept;
+  std::optional<double> side_mouth(const Step& step) noexcept;
   double choose_target() const noexcept;
   void begin_turn() noexcept;
   NavigatorCommand follow(double stamp_s, double time_s) noexcept;
@@ -131,6 +133,7 @@ class Navigator {
   FrameWatch watch_;
   ColumnRange column_range_;
   RangeMemory memory_;
+  SideMouth side_mouth_;
   OpeningTracker tracker_;
   HeadingController controller_;
   Ways ways_;

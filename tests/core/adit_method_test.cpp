@@ -113,6 +113,7 @@ TEST(AditMethod, DustIsFlaggedAndMeasured) {
   EXPECT_TRUE(dusty.flags.dust) << dusty.veil_fraction;
   EXPECT_GT(dusty.veil_fraction, clear.veil_fraction);
   ASSERT_TRUE(dusty.found()) << to_string(dusty.status);
+  EXPECT_EQ(dusty.rule, Rule::kVeil);
   EXPECT_NEAR(dusty.centroid_px.u_px, 360, 60);
   EXPECT_LT(dusty.confidence, 0.9);
 }
@@ -124,6 +125,30 @@ TEST(AditMethod, WhereTheVeilIsAllThatIsSeenItSaysDust) {
   EXPECT_TRUE(seen.flags.dust);
   EXPECT_FALSE(seen.flags.blocked_lens);
   EXPECT_EQ(seen.opening_count, 0);
+}
+
+// Noise alone, however strong, is no rock: flat veils and lobes, quiet and at full gain.
+TEST(AditMethod, ANoisyVeilWithoutRockIsNeverAWayOn) {
+  for (const double beam_px : {300.0, 4000.0}) {
+    for (const int noise : {4, 8, 12, 20, 35}) {
+      for (unsigned seed = 1; seed <= 3; ++seed) {
+        const OpenSpace seen = seen_in(
+            drawn({.openings = {}, .beam_px = beam_px, .brightness = 0.0, .veil = 90.0, .noise = noise, .seed = seed}));
+        EXPECT_FALSE(seen.found()) << "beam " << beam_px << " noise " << noise << " confidence " << seen.confidence;
+      }
+    }
+  }
+}
+
+// A little rock through much veil: whatever is said is said with doubt.
+TEST(AditMethod, WhereDustHidesNearlyAllConfidenceIsLow) {
+  const auto confidence = [](double brightness) {
+    const OpenSpace seen =
+        seen_in(drawn({.openings = {{360, 240, 240, 400}}, .beam_px = 400.0, .brightness = brightness, .veil = 100.0}));
+    return seen.confidence;
+  };
+  EXPECT_LT(confidence(5.0), 0.55);
+  EXPECT_LT(confidence(5.0), confidence(60.0));
 }
 
 TEST(AditMethod, ABrightBlurFromTheSideIsABlockedLens) {

@@ -172,6 +172,29 @@ TEST(Navigator, PrefersTheSideItIsToldTo) {
   }
 }
 
+TEST(Navigator, TakesACrossingDriftOnTheSideItIsToldTo) {
+  // Two drifts of 5 m that cross: the way ahead is always the longer one.
+  LitPlan plan;
+  for (const double side : {-1.0, 1.0}) {
+    plan.walls.push_back({{-10, 2.5 * side}, {15, 2.5 * side}});
+    plan.walls.push_back({{15, 2.5 * side}, {15, 40 * side}});
+    plan.walls.push_back({{20, 2.5 * side}, {20, 40 * side}});
+    plan.walls.push_back({{20, 2.5 * side}, {60, 2.5 * side}});
+  }
+  const auto flown = [&plan](Prefer prefer) {
+    NavigatorConfig config;
+    config.steering.prefer = prefer;
+    PlanFlight f = flight(plan, {0, 0, 0}, config);
+    while (f.time_s < 60.0 && std::abs(f.pose.y_m) < 12.0 && f.pose.x_m < 32.0) f.step();
+    EXPECT_GT(f.clearance_min_m, 0.6) << to_string(prefer);
+    return f.pose;
+  };
+  EXPECT_GE(flown(Prefer::kStraight).x_m, 32.0);
+  EXPECT_GE(flown(Prefer::kLeft).y_m, 12.0);
+  EXPECT_LE(flown(Prefer::kRight).y_m, -12.0);
+  EXPECT_LE(flown(Prefer::kExplore).y_m, -12.0);
+}
+
 TEST(Navigator, OneBadFrameDoesNotTurnTheVehicle) {
   const LitPlan plan = straight(5.0);
   const LitPlan wall = [] {

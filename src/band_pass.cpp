@@ -1,104 +1,119 @@
 #include "band_pass.hpp"
 
+#include <cstring>
+
 namespace adit {
 
 Order smallest_order() noexcept { return {kernels::pixel_loops().smallest, 255}; }
 Order largest_order() noexcept { return {kernels::pixel_loops().largest, 0}; }
 
-void set_margins(std::uint8_t* row, std::ptrdiff_t begin, std::ptrdiff_t end, std::ptrdiff_t pitch,
-                 std::uint8_t value) noexcept {
-  constexpr std::ptrdiff_t kBlock = AlignedBytes::kAlignment;
-  for (std::ptrdiff_t x = 0; x < begin; x += kBlock) std::memset(row + x, value, kBlock);
-  for (std::ptrdiff_t x = end / kBlock * kBlock; x < pitch; x += kBlock) std::memset(row + x, value, kBlock);
-}
-
-// Where the core is a pixel, the source goes into the main rows as it is.
 BandPass::BandPass(Order order, const BandPlan& plan, int height, std::uint8_t* work) noexcept
-    : order_(order), plan_(plan), height_(height), core_is_pixel_(plan.core.empty()) {
-  main_ = {work, plan.fold_rows + plan.room};
-  source_ = {work + main_.count * plan.pitch, core_is_pixel_ ? 0 : plan.core_rows - 1 + plan.room};
-  windows_ = {source_.memory + source_.count * plan.pitch, plan.band};
-}
-
-void BandPass::start_strip(int begin) noexcept {
-  begin_ = begin;
-  width_ = std::min(plan_.strip_columns, plan_.plane_width - begin);
-  first_ = std::max(0, begin - plan_.reach_u);
-  last_ = std::min(plan_.plane_width, begin + width_ + plan_.reach_u);
-  done_ = main_.first = source_.first = 0;
+    : order_(order), plan_(plan), height_(height) {
+  own_source_.memory = {work, plan.pitch};
+  windows_.memory = {work + (plan.core_rows - 1 + plan.band) * plan.pitch, plan.pitch};
+  main_work_ = windows_.memory.first + plan.band * plan.pitch;
+  main_.memory = {main_work_, plan.pitch};
 }
 
 // What lies outside the plane is never better. Steps do not touch the source's rows: their ends stay as they are.
-void BandPass::clear_source() noexcept {
-  if (core_is_pixel_) return;
-  std::memset(source_.memory, order_.identity, static_cast<std::size_t>(source_.count * plan_.pitch));
+void BandPass::start_strip(int begin, int columns) noexcept {
+  begin_ = begin;
+  width_ = columns;
+  first_ = std::max(0, begin - plan_.reach_u);
+  last_ = std::min(plan_.plane_width, begin + columns + plan_.reach_u);
+  taken_ = done_ = given_ = main_.first = own_source_.first = 0;
+  is_placed_ = false;
+  const int rows = plan_.core_rows - 1 + plan_.band;
+  std::memset(own_source_.memory.first, order_.identity, static_cast<std::size_t>(rows * plan_.pitch));
 }
 
-// Rows up to `end` of the source will come in.
-void BandPass::make_room(int end) noexcept {
-  keep(main_, std::max(0, done_ - plan_.fold_rows), core_is_pixel_ ? end : end - (plan_.core_rows - 1));
-  if (!core_is_pixel_) keep(source_, done_, end);
-}
-
-void BandPass::keep(Rows& rows, int first, int end) noexcept {
-  if (end - rows.first <= rows.count) return;
-  const int used = &rows == &main_ ? done_ : done_ + plan_.core_rows - 1;
-  std::memmove(rows.memory, at(rows, first), static_cast<std::size_t>(std::max(0, used - first) * plan_.pitch));
-  rows.first = first;
-}
-
-// Returns where the plane's columns go.
-std::uint8_t* BandPass::prepare_row(int source_row) noexcept {
-  std::uint8_t* to = at(core_is_pixel_ ? main_ : source_, source_row);
-  const int before = first_ - (begin_ - plan_.reach_u);
-  const int v = source_row - plan_.element_height / 2;
-  if (v < 0 || v >= height_) {
-    std::memset(to, order_.identity, static_cast<std::size_t>(plan_.pitch));
-  } else if (core_is_pixel_) {
-    set_margins(to, before, before + last_ - first_, plan_.pitch, order_.identity);
+void BandPass::run_over(kernels::ConstRows source, PlaneView out) noexcept {
+  begin_ = 0;
+  width_ = plan_.plane_width;
+  done_ = given_ = main_.first = 0;
+  is_placed_ = false;
+  source_ = source;
+  source_is_own_ = false;
+  source_first_ = 0;
+  out_ = {out.data, out.stride_bytes};
+  out_first_ = 0;
+  for (int end = 0; end < height_ + plan_.fold_rows;) {
+    end = std::min(end + plan_.band, height_ + plan_.fold_rows);
+    make_room_in_main(end);
+    advance(end);
   }
-  return to + before;
 }
 
-void BandPass::advance(int end, PlaneView out) noexcept {
+// Rows up to `end` of the source will come in; those outside the plane are made here.
+void BandPass::make_room(int end) noexcept {
+  const auto pitch = static_cast<std::size_t>(plan_.pitch);
+  std::memmove(own_source_.memory.first, own_source_.at(done_), static_cast<std::size_t>(taken_ - done_) * pitch);
+  own_source_.first = done_;
+  source_ = {own_source_.memory.first, plan_.pitch};
+  source_is_own_ = true;
+  source_first_ = done_;
+  const int above = plan_.element_height / 2;
+  for (int row = taken_; row < end; ++row) {
+    if (row < above || row >= height_ + above) std::memset(own_source_.at(row), order_.identity, pitch);
+  }
+  make_room_in_main(end - (plan_.core_rows - 1));
+}
+
+void BandPass::make_room_in_main(int end) noexcept {
+  if (is_placed_ && end - main_.first <= plan_.fold_rows + plan_.room) return;
+  is_placed_ = true;
+  const int first = std::max(0, done_ - plan_.fold_rows);
+  // Loads wait for stores whose addresses have the same low bits: the source's next row stands a little ahead of the
+  // row that is made of it.
+  const auto source = reinterpret_cast<std::uintptr_t>(source_.first + (done_ - source_first_) * source_.pitch);
+  const auto unshifted = reinterpret_cast<std::uintptr_t>(main_work_ + (done_ - first) * plan_.pitch);
+  const std::uintptr_t shift = (source - BandPlan::kLead - unshifted) % BandPlan::kAliasPeriod;
+  std::uint8_t* to = main_work_ + shift / AlignedBytes::kAlignment * AlignedBytes::kAlignment;
+  std::memmove(to, main_.at(first), static_cast<std::size_t>((done_ - first) * plan_.pitch));
+  main_.memory.first = to;
+  main_.first = first;
+}
+
+// Where the plane's columns go in a row of the source.
+kernels::Rows BandPass::inside(int source_row) const noexcept {
+  return {own_source_.at(source_row) + first_ - (begin_ - plan_.reach_u), plan_.pitch};
+}
+
+kernels::ConstRows BandPass::at(BandPlan::Operand operand, int row) const noexcept {
+  row += operand.dv;
+  if (operand.from == BandPlan::From::kSource) {
+    return {source_.first + (row - source_first_) * source_.pitch + operand.du, source_.pitch};
+  }
+  return {(operand.from == BandPlan::From::kMain ? main_ : windows_).at(row) + operand.du, plan_.pitch};
+}
+
+// In place: rows below are still as the last step left them, and so are columns to the right.
+void BandPass::apply(const BandPlan::Step& step, int row, kernels::Rows to, int width, int rows) const noexcept {
+  if (rows <= 0) return;
+  kernels::ConstRows from[kernels::kOperandsMax];
+  for (std::size_t i = 0; i < static_cast<std::size_t>(step.count); ++i) from[i] = at(step.operands[i], row);
+  const bool is_far = step.operands[0].from == BandPlan::From::kSource && !source_is_own_;
+  (is_far ? order_.loops.best_of_far_rows : order_.loops.best_of_rows)(from, step.count, to, width, rows);
+}
+
+// Main rows up to `end` have their source. The last fold goes to the plane.
+void BandPass::advance(int end) noexcept {
+  static constexpr BandPlan::Step kCopy{.operands = {{{0, 0}}}, .count = 1};
+  windows_.first = done_;
   for (const BandPlan::Step& step : plan_.core) {
-    windows_.first = done_;
-    apply(step, done_, end - done_);
+    const Moving& to = step.to == BandPlan::From::kMain ? main_ : windows_;
+    apply(step, done_, {to.at(done_), plan_.pitch}, step.width, end - done_);
   }
   int from = done_;
   done_ = end;
   for (const BandPlan::Step& fold : plan_.folds) {
     from = std::max(0, from - fold.dv_max);
     end = std::max(0, end - fold.dv_max);
-    if (&fold == &plan_.folds.back()) break;
-    apply(fold, from, end - from);
+    if (&fold != &plan_.folds.back()) apply(fold, from, {main_.at(from), plan_.pitch}, fold.width, end - from);
   }
-  give(from, end, out);
-}
-
-// In place: rows below are still as the last step left them, and so are columns to the right.
-void BandPass::apply(const BandPlan::Step& step, int row, int rows) noexcept {
-  if (rows <= 0) return;
-  const std::uint8_t* from[kernels::kOperandsMax];
-  for (std::size_t i = 0; i < static_cast<std::size_t>(step.count); ++i) {
-    const BandPlan::Operand& operand = step.operands[i];
-    from[i] = at(operand.from, row + operand.dv) + operand.du;
-  }
-  order_.loops.best_of_rows(from, step.count, at(step.to, row), plan_.pitch, step.width, rows);
-}
-
-// The last fold goes to the plane.
-void BandPass::give(int from, int end, PlaneView out) noexcept {
-  static constexpr BandPlan::Step kCopy{.operands = {{{0, 0}}}, .count = 1};
-  const BandPlan::Step& step = plan_.folds.empty() ? kCopy : plan_.folds.back();
-  for (int v = from; v < end; ++v) {
-    const std::uint8_t* rows[kernels::kOperandsMax];
-    for (std::size_t i = 0; i < static_cast<std::size_t>(step.count); ++i) {
-      const BandPlan::Operand& operand = step.operands[i];
-      rows[i] = at(main_, v + operand.dv) + operand.du;
-    }
-    order_.loops.best_of(rows, step.count, out.row(v) + begin_, width_);
-  }
+  const kernels::Rows to = {out_.first + (from - out_first_) * out_.pitch, out_.pitch};
+  apply(plan_.folds.empty() ? kCopy : plan_.folds.back(), from, to, width_, end - from);
+  given_ = end;
 }
 
 }  // namespace adit

@@ -5,13 +5,14 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
+#include <optional>
 #include <vector>
 
 #include "adit/morphology.hpp"
 #include "aligned_bytes.hpp"
 #include "element_sum.hpp"
 #include "kernels/pixel_loops.hpp"
+#include "margined_plane.hpp"
 
 namespace adit {
 
@@ -46,119 +47,136 @@ struct BandPlan {
     From to = From::kMain;
   };
 
-  BandPlan(int width, const StructuringElement& element);
+  /// @param strip  columns that are done together; 0: what costs least.
+  BandPlan(int width, const StructuringElement& element, int strip = 0);
   [[nodiscard]] bool is_for(int width, const StructuringElement& element) const noexcept;
   [[nodiscard]] std::size_t bytes_needed() const noexcept;
+
+  /// Loads are held up by stores under way whose addresses are the same but for multiples of so many bytes.
+  static constexpr int kAliasPeriod = 4096;
+  /// So far a row of the source stands ahead of the main row that is made of it, bytes.
+  static constexpr int kLead = 512;
 
   int plane_width;  ///< px
   int element_width;
   int element_height;
   bool is_rectangle;
-  std::vector<Step> core;   ///< from the source to the main rows; none where the core is a pixel
+  std::vector<Step> core;   ///< from the source to the main rows
   std::vector<Step> folds;  ///< of the main rows, each in place
   int reach_u = 0;          ///< columns to either side of the anchor; an ellipse of one row is a pixel
   int core_rows;
   int fold_rows;          ///< sum of all dv_max
-  int strip_columns = 0;  ///< the plane is done in strips of so many columns, so that a strip's rows stay in level 1
+  int strip_columns = 0;  ///< the plane is done in strips of so many columns, so that a strip's rows stay near
   std::ptrdiff_t pitch;   ///< of a working row, bytes
 
   int band = 0;  ///< rows that go through a step together
   int room = 0;  ///< rows that come in before those that are still needed are moved up
 
  private:
-  void choose_strip(int reach);
+  void choose_strip(int reach, int strip);
+  void choose_pitch(int widest);
 };
-
-/// Sets what lies before column `begin` of a working row, and from `end` on. In whole blocks, which is quicker: columns
-/// between them may be set too, and are to be written afterwards.
-void set_margins(std::uint8_t* row, std::ptrdiff_t begin, std::ptrdiff_t end, std::ptrdiff_t pitch,
-                 std::uint8_t value) noexcept;
 
 /// The best value over an element. Rows go down through one buffer, and every fold works on them in place: behind a
 /// fold lie rows that it has done, before it those that only the earlier folds have.
 class BandPass {
  public:
+  /// @param work  plan.bytes_needed() bytes on a cache line's boundary.
   BandPass(Order order, const BandPlan& plan, int height, std::uint8_t* work) noexcept;
 
-  /// @param fill  fill(v, first, count, to): writes columns first..first+count-1 of source row v to `to`. Rows are
-  /// asked
-  ///              for in order, each once a strip, at least half an element before `out` is written there.
+  /// @param fill  fill(v, rows, first, count, to): writes columns first..first+count-1 of source rows v..v+rows-1 to
+  ///              `to`. Rows are asked for in order, each once a strip, at least half an element before `out` is
+  ///              written there.
   template <class Fill>
   void run(const Fill& fill, PlaneView out) noexcept {
-    const int source_end = height_ + plan_.element_height - 1;
     for (int begin = 0; begin < plan_.plane_width; begin += plan_.strip_columns) {
-      start_strip(begin);
-      clear_source();
-      for (int done = 0; done < source_end;) {
-        const int end = std::min(done + plan_.band, source_end);
-        make_room(end);
-        for (; done < end; ++done) {
-          std::uint8_t* to = prepare_row(done);
-          if (const int v = done - plan_.element_height / 2; v >= 0 && v < height_) fill(v, first_, last_ - first_, to);
-        }
-        advance(std::max(0, done - (plan_.core_rows - 1)), out);
-      }
+      start_strip(begin, std::min(plan_.strip_columns, plan_.plane_width - begin));
+      bring(fill, height_, {out.row(0) + begin, out.stride_bytes});
     }
   }
 
-  /// The same where the source lies in memory as working rows do: plan.pitch bytes from one to the next, the plane's
-  /// first column reach_u bytes on, and around it, half an element high, what is never better. For a plan of one strip
-  /// whose core is not a pixel.
-  void run_over(std::uint8_t* source, PlaneView out) noexcept {
-    start_strip(0);
-    source_ = {source, height_ + plan_.element_height - 1};
-    for (int end = 0; end < height_ + plan_.fold_rows;) {
-      end = std::min(end + plan_.band, height_ + plan_.fold_rows);
-      keep(main_, std::max(0, done_ - plan_.fold_rows), end);
-      advance(end, out);
+  /// The same for a source that has margins as wide as the element reaches; for a plan of one strip.
+  void run_over(kernels::ConstRows source, PlaneView out) noexcept;
+
+  /// For a pass whose rows are fetched by another, strip by strip: at most plan.strip_columns columns from `begin` on.
+  void start_strip(int begin, int columns) noexcept;
+  /// Columns of the source that this strip needs.
+  [[nodiscard]] int source_begin() const noexcept { return first_; }
+  [[nodiscard]] int source_columns() const noexcept { return last_ - first_; }
+  /// Writes the strip's next rows, up to row `end`, to `out`.
+  template <class Fill>
+  void bring(const Fill& fill, int end, kernels::Rows out) noexcept {
+    const int above = plan_.element_height / 2;
+    out_ = out;
+    out_first_ = given_;
+    while (taken_ < end + plan_.element_height - 1) {
+      const int from = taken_, to = std::min(from + plan_.band, end + plan_.element_height - 1);
+      make_room(to);
+      const int v = std::max(0, from - above), v_end = std::min(height_, to - above);
+      if (v < v_end) fill(v, v_end - v, first_, last_ - first_, inside(v + above));
+      taken_ = to;
+      advance(std::max(0, to - (plan_.core_rows - 1)));
     }
   }
 
  private:
   /// Rows one below the other, of which the earliest are given up from time to time.
-  struct Rows {
-    std::uint8_t* memory = nullptr;
-    int count = 0;
+  struct Moving {
+    [[nodiscard]] std::uint8_t* at(int row) const noexcept { return memory.first + (row - first) * memory.pitch; }
+
+    kernels::Rows memory;
     int first = 0;  ///< the row that lies at `memory`
   };
 
-  void start_strip(int begin) noexcept;
-  void clear_source() noexcept;
   void make_room(int end) noexcept;
-  void keep(Rows& rows, int first, int end) noexcept;
-  std::uint8_t* prepare_row(int source_row) noexcept;
-  void advance(int end, PlaneView out) noexcept;
-  void apply(const BandPlan::Step& step, int row, int rows) noexcept;
-  void give(int from, int end, PlaneView out) noexcept;
-  [[nodiscard]] std::uint8_t* at(const Rows& rows, int row) const noexcept {
-    return rows.memory + (row - rows.first) * plan_.pitch;
-  }
-  [[nodiscard]] std::uint8_t* at(BandPlan::From from, int row) const noexcept {
-    if (from == BandPlan::From::kMain) return at(main_, row);
-    return from == BandPlan::From::kSource ? at(source_, row) : at(windows_, row);
-  }
+  void make_room_in_main(int end) noexcept;
+  void advance(int end) noexcept;
+  void apply(const BandPlan::Step& step, int row, kernels::Rows to, int width, int rows) const noexcept;
+  [[nodiscard]] kernels::Rows inside(int source_row) const noexcept;
+  [[nodiscard]] kernels::ConstRows at(BandPlan::Operand operand, int row) const noexcept;
 
   Order order_;
   const BandPlan& plan_;
   int height_;
-  bool core_is_pixel_;  ///< then the source's rows are the main rows
-  Rows main_;
-  Rows source_;
-  Rows windows_;
-  int begin_ = 0;  ///< columns of the strip
+  std::uint8_t* main_work_;  ///< where main rows may lie
+  bool is_placed_ = false;
+  Moving main_;
+  Moving windows_;
+  Moving own_source_;
+  kernels::ConstRows source_;
+  bool source_is_own_ = true;
+  int source_first_ = 0;  ///< the row that lies at `source_`
+  int begin_ = 0;         ///< columns of the strip
   int width_ = 0;
   int first_ = 0;  ///< columns of the source
   int last_ = 0;
-  int done_ = 0;  ///< main rows that the core is done with
+  int taken_ = 0;  ///< rows of the source
+  int done_ = 0;   ///< main rows that the core is done with
+  int given_ = 0;  ///< rows of the result
+  kernels::Rows out_{};
+  int out_first_ = 0;  ///< the row that lies at `out_`
 };
 
 /// The buffers of all calls.
 struct MorphologyScratch::Buffers {
-  [[nodiscard]] const BandPlan& plan_for(int width, const StructuringElement& element) const noexcept;
+  /// How an element is applied to planes of one width.
+  struct Plans {
+    BandPlan alone;
+    std::optional<BandPlan> before;  ///< of the dilation before an erosion by `alone`, which needs broader strips
+  };
+  [[nodiscard]] const Plans& plans_for(int width, const StructuringElement& element) const noexcept;
 
-  std::vector<BandPlan> plans;
-  AlignedBytes work;   ///< of a pass
-  AlignedBytes plane;  ///< between dilation and erosion, or a copy of the input
+  std::vector<Plans> plans;
+  AlignedBytes work;         ///< of a pass
+  AlignedBytes before_work;  ///< of the dilation
+  AlignedBytes plane;        ///< a copy of the input, or what the closing of a large rectangle has between its passes
+  MarginedPlane source;      ///< of a closing
+  MarginedPlane closed;
 };
+
+/// The closing of a plane that has margins as the ellipse `element` reaches, with the value 0 there; those of `out`
+/// have 255. Saves the copy of `in` that close() makes, and a plane.
+void close_margined(const MarginedPlane& in, const StructuringElement& element, MarginedPlane& out,
+                    MorphologyScratch& scratch) noexcept;
 
 }  // namespace adit

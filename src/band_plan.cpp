@@ -7,15 +7,21 @@ namespace adit {
 namespace {
 
 using From = BandPlan::From;
+using Operand = BandPlan::Operand;
 using Step = BandPlan::Step;
 using Pair = ElementSum::Pair;
 
-/// What a strip's rows may take, bytes: a level-1 cache of 32 KiB also holds some of the rows that come in and go out.
-constexpr std::ptrdiff_t kStripBytesMax = 28 * 1024;
-/// What a vector from the level-2 cache costs, in vectors from level 1.
-constexpr double kLevel2Cost = 1.3;
-/// What the call of a step costs, in columns of work.
-constexpr double kCallColumns = 500.0;
+/// What is sure to stay in a level-1 cache of 32 KiB, and in a level-2 cache that others use too, bytes.
+constexpr double kLevel1Bytes = 24 * 1024;
+constexpr double kLevel2Bytes = 400 * 1024;
+/// What a line of 64 bytes costs that comes from level 2 and goes back there, cycles.
+constexpr double kLevel2Cycles = 8.0;
+/// What the call of a step costs, cycles.
+constexpr double kCallCycles = 60.0;
+/// What of a row was written less than so many bytes ago may be under way still.
+constexpr int kAliasReach = 1024;
+/// Rows may lie so much further apart than they need to, bytes.
+constexpr int kPitchMore = 448;
 
 int rounded_up(int columns) { return static_cast<int>(AlignedBytes::rounded_up(static_cast<std::size_t>(columns))); }
 
@@ -92,6 +98,18 @@ std::vector<Step> folds_of(std::vector<Pair> pairs) {
   return folds;
 }
 
+/// Steps that go before all others where the core is a pixel: the first that stay in a row, or else a copy.
+std::vector<Step> core_of_pixel(std::vector<Step>& folds) {
+  std::vector<Step> steps;
+  while (!folds.empty() && folds.front().dv_max == 0) {
+    steps.push_back(folds.front());
+    folds.erase(folds.begin());
+  }
+  if (steps.empty()) steps.emplace_back().add({0, 0});
+  for (Operand& operand : steps.front().operands) operand.from = From::kSource;
+  return steps;
+}
+
 /// One chord of the core after the other, the longest first. Pixels are taken in where there is room beside.
 std::vector<Step> core_of(const std::vector<ElementSum::Chord>& chords) {
   const int top = chords.front().v;
@@ -131,7 +149,7 @@ std::vector<Step> core_of(const std::vector<ElementSum::Chord>& chords) {
 
 }  // namespace
 
-BandPlan::BandPlan(int width, const StructuringElement& element)
+BandPlan::BandPlan(int width, const StructuringElement& element, int strip)
     : plane_width(width),
       element_width(element.width()),
       element_height(element.height()),
@@ -140,41 +158,68 @@ BandPlan::BandPlan(int width, const StructuringElement& element)
   core_rows = static_cast<int>(sum.core.size());
   fold_rows = element_height - core_rows;
   for (int v = 0; v < element_height; ++v) reach_u = std::max(reach_u, element.half_chord(v));
-  const bool is_pixel = core_rows == 1 && sum.core[0].left == sum.core[0].right;
-  if (!is_pixel) core = core_of(sum.core);
   folds = folds_of(sum.pairs);
+  const bool is_pixel = core_rows == 1 && sum.core[0].left == sum.core[0].right;
+  core = is_pixel ? core_of_pixel(folds) : core_of(sum.core);
   int reach = 0;
   for (const Step& fold : folds) reach += reach_of(fold);
-  choose_strip(reach);
-  pitch = rounded_up(strip_columns + 2 * reach_u);
+  choose_strip(reach, strip);
+  const int widest = rounded_up(strip_columns + 2 * reach_u);
+  choose_pitch(widest);
   // A chord is widened step by step: before the last one, all of a row is needed.
-  for (Step& step : core) step.width = static_cast<int>(pitch);
+  for (Step& step : core) step.width = widest;
   for (Step& fold : folds) fold.width = rounded_up(strip_columns + (reach -= reach_of(fold)));
 }
 
-void BandPlan::choose_strip(int reach) {
+// Cycles on a core with vectors of 64 bytes, roughly; elsewhere all parts are dearer alike.
+void BandPlan::choose_strip(int reach, int strip) {
   double least = std::numeric_limits<double>::max();
-  for (int strips = 1; strips == 1 || plane_width / strips >= 64; ++strips) {
-    const int columns = (plane_width + strips - 1) / strips;
+  const int most = strip > 0 ? 1 : std::max(1, plane_width / 64);
+  for (int strips = 1; strips <= most; ++strips) {
+    const int columns = strip > 0 ? strip : (plane_width + strips - 1) / strips;
     const int widest = rounded_up(columns + 2 * reach_u);
-    double vectors = widest * static_cast<double>(core.size() + 1);
+    double steps = 0.0;
+    for (const Step& step : core) steps += step.count * widest;
     int ahead = reach;
-    for (const Step& fold : folds) vectors += fold.count * rounded_up(columns + (ahead -= reach_of(fold)));
-    for (int rows : {8, 12, 16, 24}) {
-      const int kept = fold_rows + (core.empty() ? 0 : core_rows - 1);
-      const int total = kept + rows * (core.empty() ? 1 : 2);
-      const std::ptrdiff_t bytes = total * static_cast<std::ptrdiff_t>(widest);
-      const double slower = bytes <= kStripBytesMax ? 1.0 : bytes <= 4 * kStripBytesMax ? kLevel2Cost : 2 * kLevel2Cost;
-      const double cost =
-          slower * (vectors + kCallColumns * static_cast<double>(core.size() + folds.size()) / rows) * strips;
-      if (cost < least) {
-        least = cost;
-        strip_columns = columns;
-        band = rows;
-        // In level 1 each line counts; beyond it rows are moved up less often, one for three that come in.
-        room = bytes <= kStripBytesMax ? rows : rows * std::max(1, (2 * kept + rows - 1) / rows);
+    for (const Step& fold : folds) steps += fold.count * rounded_up(columns + (ahead -= reach_of(fold)));
+    for (int rows : {6, 8, 12, 16, 24, 32}) {
+      const double lines = widest / 64.0;
+      const double step_bytes = static_cast<double>(rows) * widest;
+      const double all_bytes = static_cast<double>(fold_rows + rows) * widest;
+      double cost = steps / 64.0 + kCallCycles * static_cast<double>(core.size() + folds.size()) / rows;
+      if (step_bytes > kLevel1Bytes) {
+        cost += kLevel2Cycles * lines * static_cast<double>(core.size() + folds.size());
+      } else if (all_bytes > kLevel1Bytes) {
+        cost += kLevel2Cycles * lines * (fold_rows + rows) / rows;
+      }
+      if (all_bytes > kLevel2Bytes) cost *= 2;
+      cost *= strips;
+      if (cost >= least) continue;
+      least = cost;
+      strip_columns = columns;
+      band = rows;
+      // In level 1 each line counts; beyond it rows are moved up less often, one for two that come in.
+      room = all_bytes <= kLevel1Bytes ? rows : rows * std::max(1, (2 * fold_rows + rows - 1) / rows);
+    }
+  }
+}
+
+// Where the low bits of an address are those of a store that is still under way, a load waits for it.
+void BandPlan::choose_pitch(int widest) {
+  int least = std::numeric_limits<int>::max();
+  // An odd number of lines: rows below each other then spread over all sets of the caches.
+  for (int candidate = widest | 64; candidate <= widest + kPitchMore; candidate += 128) {
+    int loads = 0;
+    for (const Step& fold : folds) {
+      for (int i = 0; i < fold.count; ++i) {
+        const Operand& operand = fold.operands[static_cast<std::size_t>(i)];
+        const int behind = kAliasPeriod - (operand.dv * candidate + operand.du) % kAliasPeriod;
+        if (behind < kAliasReach) loads += kAliasReach - behind;
       }
     }
+    if (loads >= least) continue;
+    least = loads;
+    pitch = candidate;
   }
 }
 
@@ -185,7 +230,8 @@ bool BandPlan::is_for(int width, const StructuringElement& element) const noexce
 
 // A step may read beyond the last row by its own reach.
 std::size_t BandPlan::bytes_needed() const noexcept {
-  return static_cast<std::size_t>(pitch) * static_cast<std::size_t>(fold_rows + core_rows + 2 * room + band + 2);
+  const int rows = fold_rows + core_rows + room + 2 * band + 2;
+  return static_cast<std::size_t>(pitch) * static_cast<std::size_t>(rows) + kAliasPeriod;
 }
 
 }  // namespace adit

@@ -29,11 +29,11 @@ Workspace::Workspace(const FinderConfig& config, const Camera* camera, int width
     adit.emplace(config, camera != nullptr ? *camera : assumed_camera, width, height);
     return;
   }
-  const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   scratch.reserve(width, height, patch);
   scratch.reserve(width, height, element);
-  dark_pixels.reserve(pixels);
-  closed_pixels.reserve(pixels);
+  // Outside the plane lies what the closing's dilation, and its erosion, never choose.
+  dark.reserve(width, height, element.width() / 2, element.height() / 2, 0);
+  closed.reserve(width, height, element.width() / 2, element.height() / 2, 255);
   columns.resize(static_cast<std::size_t>(width));
 }
 

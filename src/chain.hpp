@@ -10,7 +10,7 @@
 #include "adit/morphology.hpp"
 #include "adit/region.hpp"
 #include "adit_chain.hpp"
-#include "aligned_bytes.hpp"
+#include "margined_plane.hpp"
 
 namespace adit {
 
@@ -19,26 +19,18 @@ struct Workspace {
   /// @param camera  the calibrated one, or null.
   Workspace(const FinderConfig& config, const Camera* camera, int width_px, int height_px);
 
-  [[nodiscard]] PlaneView dark() const noexcept { return plane_in(dark_pixels); }
-  [[nodiscard]] PlaneView closed() const noexcept { return plane_in(closed_pixels); }
-
   int width;
   int height;
   StructuringElement patch;
   StructuringElement element;
   Camera assumed_camera;  ///< stands in where no calibration is given
   MorphologyScratch scratch;
-  AlignedBytes dark_pixels;
-  AlignedBytes closed_pixels;
+  MarginedPlane dark;
+  MarginedPlane closed;
   std::vector<std::uint32_t> columns;
   LevelTable transmission{};  ///< of the last frame, as is the next
   LevelTable depth{};
   std::optional<AditChain> adit;  ///< only for that method; it needs none of the planes above
-
- private:
-  [[nodiscard]] PlaneView plane_in(const AlignedBytes& pixels) const noexcept {
-    return {pixels.get(), width, height, width};
-  }
 };
 
 struct OpenSpaceFinder::Chain {

@@ -18,10 +18,13 @@ void dark_channel(const ImageView& view, const StructuringElement& patch, int gr
     return pass.finish(out);
   }
   const int pixel = bytes_per_pixel(view.format);
-  const auto fill = [&](int v, int first, int count, std::uint8_t* to) {
-    channel_minimum(view.row(v) + static_cast<std::ptrdiff_t>(first) * pixel, to, count);
+  const auto fill = [&](int v, int rows, int first, int count, kernels::Rows to) {
+    for (; rows > 0; --rows, ++v, to.first += to.pitch) {
+      channel_minimum(view.row(v) + static_cast<std::ptrdiff_t>(first) * pixel, to.first, count);
+    }
   };
-  BandPass(smallest_order(), buffers.plan_for(view.width, patch), view.height, buffers.work.get()).run(fill, out);
+  BandPass(smallest_order(), buffers.plans_for(view.width, patch).alone, view.height, buffers.work.get())
+      .run(fill, out);
 }
 
 }  // namespace adit

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "band_pass.hpp"
 #include "chain.hpp"
 #include "opening_extent.hpp"
 
@@ -146,26 +147,27 @@ OpenSpace OpenSpaceFinder::find(const ImageView& frame) noexcept {
   }
   const FinderConfig& config = chain_->config;
   Workspace& work = *chain_->workspace;
+  const PlaneView dark = work.dark.pixels(), closed = work.closed.pixels();
 
-  dark_channel(frame, work.patch, config.grey16_depth_bits, work.dark(), work.scratch);  // eq. (3), the dark channel
+  dark_channel(frame, work.patch, config.grey16_depth_bits, dark, work.scratch);  // eq. (3), the dark channel
   clock.lap(Stage::kDarkChannel);
 
   out.atmospheric_light =
-      atmospheric_light(frame, config.grey16_depth_bits, work.dark(), config.atmospheric_light_fraction);  // a, eq. (1)
-  work.transmission = transmission_table(out.atmospheric_light, config.omega, config.transmission_min);    // eq. (3)
-  work.depth = scattering_depth_table(work.transmission, config.scattering_coefficient);                   // eq. (2)
+      atmospheric_light(frame, config.grey16_depth_bits, dark, config.atmospheric_light_fraction);       // a, eq. (1)
+  work.transmission = transmission_table(out.atmospheric_light, config.omega, config.transmission_min);  // eq. (3)
+  work.depth = scattering_depth_table(work.transmission, config.scattering_coefficient);                 // eq. (2)
   clock.lap(Stage::kScatteringDepth);
 
-  close(work.dark(), work.element, work.closed(), work.scratch);  // eq. (4) and (5): depth rises with the level
+  close_margined(work.dark, work.element, work.closed, work.scratch);  // eq. (4) and (5): depth rises with the level
   clock.lap(Stage::kClosing);
 
-  const Histogram histogram = histogram_of(work.closed());
+  const Histogram histogram = histogram_of(closed);
   out.clusters = clusters_of(work.depth, histogram, config);  // eq. (6) and (7)
   out.threshold_level = out.clusters.last_level[0];           // section 2.2: the cluster of the smallest centre
   clock.lap(Stage::kClusters);
 
-  out.moments = moments_of(work.closed(), out.threshold_level, work.columns);  // eq. (8)
-  out.centroid_px = centroid_of(out.moments);                                  // eq. (9)
+  out.moments = moments_of(closed, out.threshold_level, work.columns);  // eq. (8)
+  out.centroid_px = centroid_of(out.moments);                           // eq. (9)
   out.area_fraction = static_cast<double>(out.moments.m00) / (static_cast<double>(frame.width) * frame.height);
   note_levels(histogram, out);
   out.status = verdict_on(out, config);

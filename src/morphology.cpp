@@ -9,9 +9,10 @@ MorphologyScratch::~MorphologyScratch() = default;
 MorphologyScratch::MorphologyScratch(MorphologyScratch&&) noexcept = default;
 MorphologyScratch& MorphologyScratch::operator=(MorphologyScratch&&) noexcept = default;
 
-const BandPlan& MorphologyScratch::Buffers::plan_for(int width, const StructuringElement& element) const noexcept {
+const MorphologyScratch::Buffers::Plans& MorphologyScratch::Buffers::plans_for(
+    int width, const StructuringElement& element) const noexcept {
   std::size_t i = 0;
-  while (!plans[i].is_for(width, element)) ++i;
+  while (!plans[i].alone.is_for(width, element)) ++i;
   return plans[i];
 }
 
@@ -24,9 +25,17 @@ PlaneView scratch_plane(ConstPlaneView like, MorphologyScratch::Buffers& buffers
 }
 
 auto rows_of(ConstPlaneView plane) {
-  return [plane](int v, int first, int count, std::uint8_t* to) {
-    std::memcpy(to, plane.row(v) + first, static_cast<std::size_t>(count));
+  return [plane](int v, int rows, int first, int count, kernels::Rows to) {
+    const kernels::ConstRows from = {plane.row(v) + first, plane.stride_bytes};
+    kernels::pixel_loops().smallest.best_of_rows(&from, 1, to, count, rows);
   };
+}
+
+// A strip's neighbours need what it has overwritten.
+ConstPlaneView copy_of(ConstPlaneView in, MorphologyScratch::Buffers& buffers) {
+  const PlaneView copy = scratch_plane(in, buffers);
+  rows_of(in)(0, in.height, 0, in.width, {copy.data, copy.stride_bytes});
+  return copy;
 }
 
 void apply(Order order, ConstPlaneView in, const StructuringElement& element, PlaneView out,
@@ -39,30 +48,23 @@ void apply(Order order, ConstPlaneView in, const StructuringElement& element, Pl
     }
     return pass.finish(out);
   }
-  const BandPlan& plan = buffers.plan_for(in.width, element);
-  if (in.data == out.data && plan.strip_columns < in.width) {  // a strip's neighbours need what it has overwritten
-    const PlaneView copy = scratch_plane(in, buffers);
-    for (int v = 0; v < in.height; ++v) std::memcpy(copy.row(v), in.row(v), static_cast<std::size_t>(in.width));
-    in = copy;
-  }
+  const BandPlan& plan = buffers.plans_for(in.width, element).alone;
+  if (in.data == out.data && plan.strip_columns < in.width) in = copy_of(in, buffers);
   BandPass(order, plan, in.height, buffers.work.get()).run(rows_of(in), out);
 }
 
-// Between its two passes the closing has a plane of its own, which can have the margins that the second one wants.
-void close_in_one_strip(ConstPlaneView in, const BandPlan& plan, PlaneView out, MorphologyScratch::Buffers& buffers) {
-  const Order erosion = smallest_order();
-  const int reach_v = plan.element_height / 2;
-  std::uint8_t* margined = buffers.plane.get();
-  std::memset(margined, erosion.identity, static_cast<std::size_t>(reach_v * plan.pitch));
-  std::memset(margined + (in.height + reach_v) * plan.pitch, erosion.identity,
-              static_cast<std::size_t>(reach_v * plan.pitch));
-  for (int v = 0; v < in.height; ++v) {
-    set_margins(margined + (v + reach_v) * plan.pitch, plan.reach_u, plan.reach_u + in.width, plan.pitch,
-                erosion.identity);
+// What lies between dilation and erosion is needed for a few rows of a strip alone.
+void close_in_strips(ConstPlaneView in, const MorphologyScratch::Buffers::Plans& plans, PlaneView out,
+                     MorphologyScratch::Buffers& buffers) {
+  if (in.data == out.data) in = copy_of(in, buffers);
+  BandPass dilation(largest_order(), *plans.before, in.height, buffers.before_work.get());
+  BandPass erosion(smallest_order(), plans.alone, in.height, buffers.work.get());
+  const auto dilated = [&](int v, int rows, int, int, kernels::Rows to) { dilation.bring(rows_of(in), v + rows, to); };
+  for (int begin = 0; begin < in.width; begin += plans.alone.strip_columns) {
+    erosion.start_strip(begin, std::min(plans.alone.strip_columns, in.width - begin));
+    dilation.start_strip(erosion.source_begin(), erosion.source_columns());
+    erosion.bring(dilated, in.height, {out.row(0) + begin, out.stride_bytes});
   }
-  const PlaneView dilated{margined + reach_v * plan.pitch + plan.reach_u, in.width, in.height, plan.pitch};
-  BandPass(largest_order(), plan, in.height, buffers.work.get()).run(rows_of(in), dilated);
-  BandPass(erosion, plan, in.height, buffers.work.get()).run_over(margined, out);
 }
 
 }  // namespace
@@ -73,12 +75,17 @@ void MorphologyScratch::reserve(int width, int height, const StructuringElement&
   if (RectanglePass::takes(element)) {
     return buffers.work.reserve(RectanglePass::bytes_needed(width, height, element));
   }
-  const auto is_for = [&](const BandPlan& plan) { return plan.is_for(width, element); };
-  if (std::none_of(buffers.plans.begin(), buffers.plans.end(), is_for)) buffers.plans.emplace_back(width, element);
-  const BandPlan& plan = buffers.plan_for(width, element);
-  buffers.work.reserve(plan.bytes_needed());
-  // The last row's steps may read beyond its end.
-  buffers.plane.reserve(static_cast<std::size_t>(plan.pitch) * static_cast<std::size_t>(height + element.height() + 1));
+  const auto is_for = [&](const Buffers::Plans& plans) { return plans.alone.is_for(width, element); };
+  if (std::none_of(buffers.plans.begin(), buffers.plans.end(), is_for)) {
+    Buffers::Plans& plans = buffers.plans.emplace_back(Buffers::Plans{BandPlan(width, element), {}});
+    const int strip = plans.alone.strip_columns;
+    if (strip < width) plans.before.emplace(width, element, std::min(width, strip + 2 * plans.alone.reach_u));
+  }
+  const Buffers::Plans& plans = buffers.plans_for(width, element);
+  buffers.work.reserve(plans.alone.bytes_needed());
+  if (plans.before) return buffers.before_work.reserve(plans.before->bytes_needed());
+  buffers.source.reserve(width, height, plans.alone.reach_u, element.height() / 2, largest_order().identity);
+  buffers.closed.reserve(width, height, plans.alone.reach_u, element.height() / 2, smallest_order().identity);
 }
 
 void erode(ConstPlaneView in, const StructuringElement& element, PlaneView out, MorphologyScratch& scratch) noexcept {
@@ -89,15 +96,42 @@ void dilate(ConstPlaneView in, const StructuringElement& element, PlaneView out,
   apply(largest_order(), in, element, out, scratch.buffers());
 }
 
+void close_margined(const MarginedPlane& in, const StructuringElement& element, MarginedPlane& out,
+                    MorphologyScratch& scratch) noexcept {
+  MorphologyScratch::Buffers& buffers = scratch.buffers();
+  const PlaneView pixels = out.pixels();
+  const auto& plans = buffers.plans_for(pixels.width, element);
+  if (plans.before) return close_in_strips(in.pixels(), plans, pixels, buffers);
+  std::uint8_t* work = buffers.work.get();
+  const int reach_u = plans.alone.reach_u, reach_v = plans.alone.element_height / 2;
+  BandPass(largest_order(), plans.alone, pixels.height, work).run_over(in.with_margins(reach_u, reach_v), pixels);
+  BandPass erosion(smallest_order(), plans.alone, pixels.height, work);
+  // In place, as long as no row is written before it was read.
+  if (plans.alone.fold_rows >= plans.alone.core_rows - 1) {
+    erosion.run_over(out.with_margins(reach_u, reach_v), pixels);
+  } else {
+    erosion.run(rows_of(pixels), pixels);
+  }
+}
+
 void close(ConstPlaneView in, const StructuringElement& element, PlaneView out, MorphologyScratch& scratch) noexcept {
   MorphologyScratch::Buffers& buffers = scratch.buffers();
-  if (!RectanglePass::takes(element)) {
-    const BandPlan& plan = buffers.plan_for(in.width, element);
-    if (plan.strip_columns >= in.width && !plan.core.empty()) return close_in_one_strip(in, plan, out, buffers);
+  if (RectanglePass::takes(element)) {
+    const PlaneView dilated = scratch_plane(in, buffers);
+    apply(largest_order(), in, element, dilated, buffers);
+    return apply(smallest_order(), dilated, element, out, buffers);
   }
-  const PlaneView dilated = scratch_plane(in, buffers);
-  apply(largest_order(), in, element, dilated, buffers);
-  apply(smallest_order(), dilated, element, out, buffers);
+  if (const auto& plans = buffers.plans_for(in.width, element); plans.before) {
+    return close_in_strips(in, plans, out, buffers);
+  }
+  const int reach_u = buffers.plans_for(in.width, element).alone.reach_u;
+  // Another size or element may have been there since.
+  buffers.source.reserve(in.width, in.height, reach_u, element.height() / 2, largest_order().identity);
+  buffers.closed.reserve(in.width, in.height, reach_u, element.height() / 2, smallest_order().identity);
+  const PlaneView source = buffers.source.pixels(), closed = buffers.closed.pixels();
+  rows_of(in)(0, in.height, 0, in.width, {source.data, source.stride_bytes});
+  close_margined(buffers.source, element, buffers.closed, scratch);
+  rows_of(closed)(0, in.height, 0, in.width, {out.data, out.stride_bytes});
 }
 
 }  // namespace adit

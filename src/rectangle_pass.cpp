@@ -6,8 +6,8 @@ namespace adit {
 namespace {
 
 void join(const Order& order, const std::uint8_t* a, const std::uint8_t* b, std::uint8_t* out, int width) {
-  const std::uint8_t* const from[] = {a, b};
-  order.loops.best_of(from, 2, out, width);
+  const kernels::ConstRows from[] = {{a, 0}, {b, 0}};
+  order.loops.best_of_rows(from, 2, {out, 0}, width, 1);
 }
 
 // A chord that reaches past both ends of a row is no longer than the row.

@@ -6,7 +6,10 @@ namespace adit {
 namespace {
 
 std::vector<std::uint8_t> pixels_of(ConstPlaneView plane) {
-  return {plane.data, plane.data + static_cast<std::ptrdiff_t>(plane.width) * plane.height};
+  std::vector<std::uint8_t> pixels;
+  pixels.reserve(static_cast<std::size_t>(plane.width) * static_cast<std::size_t>(plane.height));
+  for (int v = 0; v < plane.height; ++v) pixels.insert(pixels.end(), plane.row(v), plane.row(v) + plane.width);
+  return pixels;
 }
 
 template <class Value>
@@ -52,8 +55,8 @@ OpenSpace OpenSpaceFinder::explain(const ImageView& frame, StageImages& images) 
     return out;
   }
   const Workspace& work = *chain_->workspace;
-  const std::vector<std::uint8_t> dark = pixels_of(work.dark());
-  const std::vector<std::uint8_t> closed = pixels_of(work.closed());
+  const std::vector<std::uint8_t> dark = pixels_of(work.dark.pixels());
+  const std::vector<std::uint8_t> closed = pixels_of(work.closed.pixels());
   images.width = work.width;
   images.height = work.height;
   images.dark_channel = dark;

@@ -34,34 +34,22 @@ inline void along(int width, PerVector per_vector, PerColumn per_column) {
   if (x < width) per_vector(width - kLanes);
 }
 
-template <class Order, int kCount>
-inline Bytes best_at(const std::uint8_t* const (&from)[kCount], std::ptrdiff_t x) {
-  Bytes best = load(from[0] + x);
-  for (int i = 1; i < kCount; ++i) best = Order::of(best, load(from[i] + x));
-  return best;
-}
+// One pointer runs, and the operands lie at distances from it: a store with a plain address leaves the ports of the
+// loads alone, and they are what the loop waits for.
+//
+// Loads that lie across two lines cost most where the lines are not there yet: far rows are asked for kAhead bytes
+// ahead.
+constexpr int kAhead = 1024;
 
-template <class Order, int kCount>
-void best_in_row(const std::uint8_t* const* list, std::uint8_t* out, int width) {
-  const std::uint8_t* from[kCount];
-  for (int i = 0; i < kCount; ++i) from[i] = list[i];
-  along(
-      width, [&](std::ptrdiff_t x) { store(out + x, best_at<Order>(from, x)); },
-      [&](std::ptrdiff_t x) {
-        std::uint8_t best = from[0][x];
-        for (int i = 1; i < kCount; ++i) best = Order::of(best, from[i][x]);
-        out[x] = best;
-      });
-}
-
-// One pointer runs, and the operands lie at fixed distances from it: a store with a plain address leaves the ports of
-// the loads alone, and they are what the loop waits for.
-template <class Order, int kCount>
-void best_in_rows(const std::uint8_t* const* list, std::uint8_t* out, std::ptrdiff_t pitch, int width, int rows) {
+template <class Order, int kCount, bool kIsFar>
+void best_in_rows(const ConstRows* list, Rows out, int width, int rows) {
   constexpr int kLanes = Bytes::kLanes;
-  std::ptrdiff_t to[kCount];
+  std::ptrdiff_t to[kCount], more[kCount];
+  bool is_dense = out.pitch == width;
   for (int i = 0; i < kCount; ++i) {
-    to[i] = reinterpret_cast<std::intptr_t>(list[i]) - reinterpret_cast<std::intptr_t>(out);
+    to[i] = reinterpret_cast<std::intptr_t>(list[i].first) - reinterpret_cast<std::intptr_t>(out.first);
+    more[i] = list[i].pitch - out.pitch;
+    is_dense = is_dense && more[i] == 0;
   }
   const auto best = [&](const std::uint8_t* at) {
     Bytes value = load(at + to[0]);
@@ -69,54 +57,51 @@ void best_in_rows(const std::uint8_t* const* list, std::uint8_t* out, std::ptrdi
     return value;
   };
   std::ptrdiff_t length = width;
-  if (length == pitch) {  // one long row
+  if (is_dense) {  // one long row
     length *= rows;
     rows = 1;
   }
-  for (; rows > 0; --rows, out += pitch) {
-    std::uint8_t* at = out;
-    std::uint8_t* const end = out + length;
-    for (; at + 2 * kLanes <= end; at += 2 * kLanes) {
-      const Bytes first = best(at), second = best(at + kLanes);
-      store(at, first);
-      store(at + kLanes, second);
+  for (; rows > 0; --rows, out.first += out.pitch) {
+    std::uint8_t* at = out.first;
+    std::uint8_t* const end = at + length;
+    for (; end - at >= 2 * kLanes; at += 2 * kLanes) {
+      if constexpr (kIsFar) {
+        __builtin_prefetch(at + to[0] + kAhead);
+        if constexpr (2 * kLanes > 64) __builtin_prefetch(at + to[0] + kAhead + 64);
+      }
+      const Bytes one = best(at), other = best(at + kLanes);
+      store(at, one);
+      store(at + kLanes, other);
     }
-    if (at < end) store(at, best(at));
+    for (; end - at >= kLanes; at += kLanes) store(at, best(at));
+    if (length >= kLanes) {
+      if (at < end) store(end - kLanes, best(end - kLanes));
+    } else {
+      for (; at < end; ++at) {
+        std::uint8_t value = at[to[0]];
+        for (int i = 1; i < kCount; ++i) value = Order::of(value, at[to[i]]);
+        *at = value;
+      }
+    }
+    for (int i = 0; i < kCount; ++i) to[i] += more[i];
   }
 }
 
 static_assert(kOperandsMax == 5);
 
-template <class Order>
-void best_of(const std::uint8_t* const* from, int count, std::uint8_t* out, int width) {
+template <class Order, bool kIsFar>
+void best_of_rows(const ConstRows* from, int count, Rows out, int width, int rows) {
   switch (count) {
     case 1:
-      return best_in_row<Order, 1>(from, out, width);
+      return best_in_rows<Order, 1, kIsFar>(from, out, width, rows);
     case 2:
-      return best_in_row<Order, 2>(from, out, width);
+      return best_in_rows<Order, 2, kIsFar>(from, out, width, rows);
     case 3:
-      return best_in_row<Order, 3>(from, out, width);
+      return best_in_rows<Order, 3, kIsFar>(from, out, width, rows);
     case 4:
-      return best_in_row<Order, 4>(from, out, width);
+      return best_in_rows<Order, 4, kIsFar>(from, out, width, rows);
     default:
-      return best_in_row<Order, 5>(from, out, width);
-  }
-}
-
-template <class Order>
-void best_of_rows(const std::uint8_t* const* from, int count, std::uint8_t* out, std::ptrdiff_t pitch, int width,
-                  int rows) {
-  switch (count) {
-    case 1:
-      return best_in_rows<Order, 1>(from, out, pitch, width, rows);
-    case 2:
-      return best_in_rows<Order, 2>(from, out, pitch, width, rows);
-    case 3:
-      return best_in_rows<Order, 3>(from, out, pitch, width, rows);
-    case 4:
-      return best_in_rows<Order, 4>(from, out, pitch, width, rows);
-    default:
-      return best_in_rows<Order, 5>(from, out, pitch, width, rows);
+      return best_in_rows<Order, 5, kIsFar>(from, out, width, rows);
   }
 }
 
@@ -137,11 +122,17 @@ void fold(const std::uint8_t* row, std::uint8_t* running, const std::uint8_t* su
 
 // Runs `block`, which turns kBlock pixels of `step` bytes into kBlock bytes and reads `extra` bytes beyond them, over a
 // row, and `one` over the pixels that are left: a foreign row is never read beyond its end.
+constexpr int kFrameAhead = 3072;
+
 template <int kBlock, class PerBlock, class PerPixel>
 inline void along_pixels(const std::uint8_t* from, int step, int extra, std::uint8_t* to, int width, PerBlock block,
                          PerPixel one) {
   int x = 0;
-  for (; (x + kBlock) * step + extra <= width * step; x += kBlock) block(from + x * step, to + x);
+  for (; (x + kBlock) * step + extra <= width * step; x += kBlock) {
+    // A frame comes from far away, and the next row follows upon this one.
+    for (int line = 0; line < kBlock * step; line += 64) __builtin_prefetch(from + x * step + kFrameAhead + line);
+    block(from + x * step, to + x);
+  }
   const int last = width - kBlock - (extra + step - 1) / step;  // met twice in part, which changes nothing
   if (x < width && last >= 0) {
     block(from + last * step, to + last);
@@ -319,7 +310,7 @@ std::uint64_t sum_where_bright(const std::uint8_t* from, int channels, const std
 
 template <class Order>
 constexpr OrderLoops order_loops() {
-  return {best_of<Order>, best_of_rows<Order>, fold<Order>};
+  return {best_of_rows<Order, false>, best_of_rows<Order, true>, fold<Order>};
 }
 
 #include "cell_loops.inl"

@@ -9,14 +9,23 @@ namespace adit::kernels {
 /// Rows that are taken in at once.
 inline constexpr int kOperandsMax = 5;
 
+/// Rows of bytes, `pitch` bytes from one to the next.
+struct Rows {
+  std::uint8_t* first;
+  std::ptrdiff_t pitch;
+};
+struct ConstRows {
+  const std::uint8_t* first;
+  std::ptrdiff_t pitch;
+};
+
 /// Loops that exist twice: with the smallest value (erosion) and with the largest (dilation).
 struct OrderLoops {
-  /// out[x] = best over i of from[i][x]. count is 1 to kOperandsMax.
-  void (*best_of)(const std::uint8_t* const* from, int count, std::uint8_t* out, int width);
-  /// The same for rows that lie `pitch` bytes apart, width a multiple of 64, in order: rows from the top, columns from
-  /// the left. What is read may be what is written, but not before it.
-  void (*best_of_rows)(const std::uint8_t* const* from, int count, std::uint8_t* out, std::ptrdiff_t pitch, int width,
-                       int rows);
+  /// Row by row out[x] = best over i of from[i][x]. count is 1 to kOperandsMax. In order, rows from the top and columns
+  /// from the left: where the width is a multiple of 64, what is read may be what is written, but not before it.
+  void (*best_of_rows)(const ConstRows* from, int count, Rows out, int width, int rows);
+  /// The same for a first operand that is not in the nearest cache: it is asked for ahead.
+  void (*best_of_far_rows)(const ConstRows* from, int count, Rows out, int width, int rows);
   /// running[x] = best(running[x], row[x]); out[x] = best(running[x], suffix[x]).
   void (*fold)(const std::uint8_t* row, std::uint8_t* running, const std::uint8_t* suffix, std::uint8_t* out,
                int width);

@@ -90,6 +90,7 @@ kernels::ConstRows BandPass::at(BandPlan::Operand operand, int row) const noexce
 // In place: rows below are still as the last step left them, and so are columns to the right.
 void BandPass::apply(const BandPlan::Step& step, int row, kernels::Rows to, int width, int rows) const noexcept {
   if (rows <= 0) return;
+  if (step.window > 0) return order_.loops.best_of_window(at(step.operands[0], row), step.window, to, width, rows);
   kernels::ConstRows from[kernels::kOperandsMax];
   for (std::size_t i = 0; i < static_cast<std::size_t>(step.count); ++i) from[i] = at(step.operands[i], row);
   const bool is_far = step.operands[0].from == BandPlan::From::kSource && !source_is_own_;

@@ -42,6 +42,7 @@ struct BandPlan {
 
     std::array<Operand, kernels::kOperandsMax> operands{};
     int count = 0;
+    int window = 0;  ///< > 0: so many rows of the one operand from dv on
     int dv_max = 0;
     int width = 0;  ///< columns that later steps need, whole vectors
     From to = From::kMain;
@@ -74,7 +75,6 @@ struct BandPlan {
 
  private:
   void choose_strip(int reach, int strip);
-  void choose_pitch(int widest);
 };
 
 /// The best value over an element. Rows go down through one buffer, and every fold works on them in place: behind a
@@ -170,13 +170,14 @@ struct MorphologyScratch::Buffers {
   AlignedBytes work;         ///< of a pass
   AlignedBytes before_work;  ///< of the dilation
   AlignedBytes plane;        ///< a copy of the input, or what the closing of a large rectangle has between its passes
-  MarginedPlane source;      ///< of a closing
-  MarginedPlane closed;
+  MarginedPlane margined;    ///< what is closed
 };
 
-/// The closing of a plane that has margins as the ellipse `element` reaches, with the value 0 there; those of `out`
-/// have 255. Saves the copy of `in` that close() makes, and a plane.
-void close_margined(const MarginedPlane& in, const StructuringElement& element, MarginedPlane& out,
-                    MorphologyScratch& scratch) noexcept;
+/// The closing of a plane that has margins as wide as the ellipse `element` reaches: saves the copy that close() makes.
+/// In place where it needs no strips, and then `out` is not touched. Returns the plane that has the closing.
+[[nodiscard]] PlaneView close_margined(MarginedPlane& in, const StructuringElement& element, MarginedPlane& out,
+                                       MorphologyScratch& scratch) noexcept;
+/// Whether `out` above is needed.
+[[nodiscard]] bool closes_in_strips(int width, const StructuringElement& element, MorphologyScratch& scratch) noexcept;
 
 }  // namespace adit

@@ -12,17 +12,16 @@ using Step = BandPlan::Step;
 using Pair = ElementSum::Pair;
 
 /// What is sure to stay in a level-1 cache of 32 KiB, and in a level-2 cache that others use too, bytes.
-constexpr double kLevel1Bytes = 24 * 1024;
+constexpr double kLevel1Bytes = 21 * 1024;
 constexpr double kLevel2Bytes = 400 * 1024;
 /// What a line of 64 bytes costs that comes from level 2 and goes back there, cycles.
 constexpr double kLevel2Cycles = 8.0;
+/// What a window down a column costs for each vector, cycles; other steps one cycle an operand.
+constexpr double kWindowCycles = 4.0;
+/// Shorter ones are cheaper by steps.
+constexpr int kColumnWindowMin = 8;
 /// What the call of a step costs, cycles.
 constexpr double kCallCycles = 60.0;
-/// What of a row was written less than so many bytes ago may be under way still.
-constexpr int kAliasReach = 1024;
-/// Rows may lie so much further apart than they need to, bytes.
-constexpr int kPitchMore = 448;
-
 int rounded_up(int columns) { return static_cast<int>(AlignedBytes::rounded_up(static_cast<std::size_t>(columns))); }
 
 /// Steps that turn a pixel into `length` pixels in a row: each takes two or three windows of the last length, where it
@@ -54,11 +53,28 @@ int take_window(std::vector<Pair>& pairs, bool is_vertical) {
   return length;
 }
 
-void add_window(std::vector<Step>& steps, int length, bool is_vertical) {
+void add_row_window(std::vector<Step>& steps, int length) {
   for (const std::vector<int>& places : widenings(length)) {
     Step& step = steps.emplace_back();
-    for (const int place : places) step.add(is_vertical ? BandPlan::Operand{0, place} : BandPlan::Operand{place, 0});
-    step.dv_max = is_vertical ? places.back() : 0;
+    for (const int place : places) step.add({place, 0});
+  }
+}
+
+void add_column_window(std::vector<Step>& steps, int length) {
+  if (length < kColumnWindowMin) {
+    for (const std::vector<int>& places : widenings(length)) {
+      Step& step = steps.emplace_back();
+      for (const int place : places) step.add({0, place});
+      step.dv_max = places.back();
+    }
+    return;
+  }
+  while (length > 1) {
+    Step& step = steps.emplace_back();
+    step.window = std::min(length, kernels::kWindowMax);
+    step.dv_max = step.window - 1;
+    step.add({0, 0});
+    length -= step.dv_max;
   }
 }
 
@@ -73,7 +89,7 @@ int reach_of(const Step& step) {
 std::vector<Step> folds_of(std::vector<Pair> pairs) {
   std::vector<Step> folds;
   const int width = take_window(pairs, false), height = take_window(pairs, true);
-  add_window(folds, width, false);
+  add_row_window(folds, width);
   while (!pairs.empty()) {
     const Pair pair = pairs.front();
     pairs.erase(pairs.begin());
@@ -94,7 +110,7 @@ std::vector<Step> folds_of(std::vector<Pair> pairs) {
       step.dv_max = dv;
     }
   }
-  add_window(folds, height, true);
+  add_column_window(folds, height);
   return folds;
 }
 
@@ -165,7 +181,7 @@ BandPlan::BandPlan(int width, const StructuringElement& element, int strip)
   for (const Step& fold : folds) reach += reach_of(fold);
   choose_strip(reach, strip);
   const int widest = rounded_up(strip_columns + 2 * reach_u);
-  choose_pitch(widest);
+  pitch = widest;
   // A chord is widened step by step: before the last one, all of a row is needed.
   for (Step& step : core) step.width = widest;
   for (Step& fold : folds) fold.width = rounded_up(strip_columns + (reach -= reach_of(fold)));
@@ -181,8 +197,10 @@ void BandPlan::choose_strip(int reach, int strip) {
     double steps = 0.0;
     for (const Step& step : core) steps += step.count * widest;
     int ahead = reach;
-    for (const Step& fold : folds) steps += fold.count * rounded_up(columns + (ahead -= reach_of(fold)));
-    for (int rows : {6, 8, 12, 16, 24, 32}) {
+    for (const Step& fold : folds) {
+      steps += (fold.window > 0 ? kWindowCycles : fold.count) * rounded_up(columns + (ahead -= reach_of(fold)));
+    }
+    for (int rows : {8, 12, 16}) {
       const double lines = widest / 64.0;
       const double step_bytes = static_cast<double>(rows) * widest;
       const double all_bytes = static_cast<double>(fold_rows + rows) * widest;
@@ -198,28 +216,13 @@ void BandPlan::choose_strip(int reach, int strip) {
       least = cost;
       strip_columns = columns;
       band = rows;
-      // In level 1 each line counts; beyond it rows are moved up less often, one for two that come in.
-      room = all_bytes <= kLevel1Bytes ? rows : rows * std::max(1, (2 * fold_rows + rows - 1) / rows);
+      // In level 1 each line counts; beyond it rows are moved up less often.
+      room = all_bytes <= kLevel1Bytes ? rows : 4 * rows;
     }
   }
-}
-
-// Where the low bits of an address are those of a store that is still under way, a load waits for it.
-void BandPlan::choose_pitch(int widest) {
-  int least = std::numeric_limits<int>::max();
-  // An odd number of lines: rows below each other then spread over all sets of the caches.
-  for (int candidate = widest | 64; candidate <= widest + kPitchMore; candidate += 128) {
-    int loads = 0;
-    for (const Step& fold : folds) {
-      for (int i = 0; i < fold.count; ++i) {
-        const Operand& operand = fold.operands[static_cast<std::size_t>(i)];
-        const int behind = kAliasPeriod - (operand.dv * candidate + operand.du) % kAliasPeriod;
-        if (behind < kAliasReach) loads += kAliasReach - behind;
-      }
-    }
-    if (loads >= least) continue;
-    least = loads;
-    pitch = candidate;
+  // A window works in blocks as high as itself: no block for a row or two.
+  for (const Step& fold : folds) {
+    if (fold.window > 0 && fold.window < band) band -= band % fold.window;
   }
 }
 

@@ -1,5 +1,6 @@
 #include "chain.hpp"
 
+#include "band_pass.hpp"
 #include "number_text.hpp"
 
 namespace adit {
@@ -31,9 +32,9 @@ Workspace::Workspace(const FinderConfig& config, const Camera* camera, int width
   }
   scratch.reserve(width, height, patch);
   scratch.reserve(width, height, element);
-  // Outside the plane lies what the closing's dilation, and its erosion, never choose.
-  dark.reserve(width, height, element.width() / 2, element.height() / 2, 0);
-  closed.reserve(width, height, element.width() / 2, element.height() / 2, 255);
+  const int reach_u = element.width() / 2, reach_v = element.height() / 2;
+  dark.reserve(width, height, reach_u, reach_v);
+  if (closes_in_strips(width, element, scratch)) closed.reserve(width, height, reach_u, reach_v);
   columns.resize(static_cast<std::size_t>(width));
 }
 

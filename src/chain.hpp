@@ -25,8 +25,9 @@ struct Workspace {
   StructuringElement element;
   Camera assumed_camera;  ///< stands in where no calibration is given
   MorphologyScratch scratch;
-  MarginedPlane dark;
-  MarginedPlane closed;
+  MarginedPlane dark;    ///< its closing too, where that needs no strips
+  MarginedPlane closed;  ///< in strips
+  PlaneView closing{};   ///< the last frame's
   std::vector<std::uint32_t> columns;
   LevelTable transmission{};  ///< of the last frame, as is the next
   LevelTable depth{};

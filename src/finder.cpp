@@ -147,7 +147,7 @@ OpenSpace OpenSpaceFinder::find(const ImageView& frame) noexcept {
   }
   const FinderConfig& config = chain_->config;
   Workspace& work = *chain_->workspace;
-  const PlaneView dark = work.dark.pixels(), closed = work.closed.pixels();
+  const PlaneView dark = work.dark.pixels();
 
   dark_channel(frame, work.patch, config.grey16_depth_bits, dark, work.scratch);  // eq. (3), the dark channel
   clock.lap(Stage::kDarkChannel);
@@ -158,7 +158,8 @@ OpenSpace OpenSpaceFinder::find(const ImageView& frame) noexcept {
   work.depth = scattering_depth_table(work.transmission, config.scattering_coefficient);                 // eq. (2)
   clock.lap(Stage::kScatteringDepth);
 
-  close_margined(work.dark, work.element, work.closed, work.scratch);  // eq. (4) and (5): depth rises with the level
+  const PlaneView closed = work.closing = close_margined(work.dark, work.element, work.closed,
+                                                         work.scratch);  // eq. (4) and (5): depth rises with the level
   clock.lap(Stage::kClosing);
 
   const Histogram histogram = histogram_of(closed);

@@ -12,10 +12,9 @@ namespace adit {
 /// Pixels whose rows begin on a cache line, and around them a value that is never better.
 class MarginedPlane {
  public:
-  /// Makes room and sets the margins, unless they are as wanted. What writes pixels leaves the margins alone.
-  /// May throw std::bad_alloc.
-  void reserve(int width, int height, int reach_u, int reach_v, std::uint8_t margin) {
-    if (width == width_ && height == height_ && reach_u == reach_u_ && reach_v == reach_v_ && margin == margin_) return;
+  /// Makes room, unless it is as wanted. What writes pixels leaves the margins alone. May throw std::bad_alloc.
+  void reserve(int width, int height, int reach_u, int reach_v) {
+    if (width == width_ && height == height_ && reach_u == reach_u_ && reach_v == reach_v_) return;
     width_ = 0;  // until all is done
     // The right margin of a row is the left one of the next.
     const std::size_t left = AlignedBytes::rounded_up(static_cast<std::size_t>(reach_u));
@@ -24,14 +23,31 @@ class MarginedPlane {
     // Steps read whole vectors, and so beyond the last margin.
     const std::size_t beyond = 2 * pitch + left;
     bytes_.reserve(rows * pitch + beyond);
-    std::memset(bytes_.get(), margin, rows * pitch + beyond);
+    std::memset(bytes_.get(), 0, rows * pitch + beyond);
     left_ = static_cast<std::ptrdiff_t>(left);
     pitch_ = static_cast<std::ptrdiff_t>(pitch);
     width_ = width;
     height_ = height;
     reach_u_ = reach_u;
     reach_v_ = reach_v;
+    margin_ = 0;
+  }
+
+  /// Another value for the margins; the pixels stay.
+  void set_margins(std::uint8_t margin) noexcept {
+    if (margin == margin_) return;
     margin_ = margin;
+    const auto left = static_cast<std::size_t>(left_);
+    const auto right = static_cast<std::size_t>(pitch_ - left_ - width_);
+    const auto above = static_cast<std::size_t>(reach_v_ * pitch_);
+    std::uint8_t* row = bytes_.get();
+    std::memset(row, margin, above);
+    row += above;
+    for (int v = 0; v < height_; ++v, row += pitch_) {
+      std::memset(row, margin, left);
+      std::memset(row + left_ + width_, margin, right);
+    }
+    std::memset(row, margin, above + left);
   }
 
   [[nodiscard]] PlaneView pixels() const noexcept {

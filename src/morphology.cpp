@@ -84,8 +84,7 @@ void MorphologyScratch::reserve(int width, int height, const StructuringElement&
   const Buffers::Plans& plans = buffers.plans_for(width, element);
   buffers.work.reserve(plans.alone.bytes_needed());
   if (plans.before) return buffers.before_work.reserve(plans.before->bytes_needed());
-  buffers.source.reserve(width, height, plans.alone.reach_u, element.height() / 2, largest_order().identity);
-  buffers.closed.reserve(width, height, plans.alone.reach_u, element.height() / 2, smallest_order().identity);
+  buffers.margined.reserve(width, height, plans.alone.reach_u, element.height() / 2);
 }
 
 void erode(ConstPlaneView in, const StructuringElement& element, PlaneView out, MorphologyScratch& scratch) noexcept {
@@ -96,22 +95,30 @@ void dilate(ConstPlaneView in, const StructuringElement& element, PlaneView out,
   apply(largest_order(), in, element, out, scratch.buffers());
 }
 
-void close_margined(const MarginedPlane& in, const StructuringElement& element, MarginedPlane& out,
-                    MorphologyScratch& scratch) noexcept {
+bool closes_in_strips(int width, const StructuringElement& element, MorphologyScratch& scratch) noexcept {
+  return scratch.buffers().plans_for(width, element).before.has_value();
+}
+
+PlaneView close_margined(MarginedPlane& in, const StructuringElement& element, MarginedPlane& out,
+                         MorphologyScratch& scratch) noexcept {
   MorphologyScratch::Buffers& buffers = scratch.buffers();
-  const PlaneView pixels = out.pixels();
+  const PlaneView pixels = in.pixels();
   const auto& plans = buffers.plans_for(pixels.width, element);
-  if (plans.before) return close_in_strips(in.pixels(), plans, pixels, buffers);
-  std::uint8_t* work = buffers.work.get();
-  const int reach_u = plans.alone.reach_u, reach_v = plans.alone.element_height / 2;
-  BandPass(largest_order(), plans.alone, pixels.height, work).run_over(in.with_margins(reach_u, reach_v), pixels);
-  BandPass erosion(smallest_order(), plans.alone, pixels.height, work);
-  // In place, as long as no row is written before it was read.
-  if (plans.alone.fold_rows >= plans.alone.core_rows - 1) {
-    erosion.run_over(out.with_margins(reach_u, reach_v), pixels);
-  } else {
-    erosion.run(rows_of(pixels), pixels);
+  if (plans.before) {
+    close_in_strips(pixels, plans, out.pixels(), buffers);
+    return out.pixels();
   }
+  for (const Order order : {largest_order(), smallest_order()}) {
+    BandPass pass(order, plans.alone, pixels.height, buffers.work.get());
+    in.set_margins(order.identity);
+    // Over the plane itself, as long as no row is written before it was read.
+    if (plans.alone.fold_rows >= plans.alone.core_rows - 1) {
+      pass.run_over(in.with_margins(plans.alone.reach_u, element.height() / 2), pixels);
+    } else {
+      pass.run(rows_of(pixels), pixels);
+    }
+  }
+  return pixels;
 }
 
 void close(ConstPlaneView in, const StructuringElement& element, PlaneView out, MorphologyScratch& scratch) noexcept {
@@ -124,13 +131,12 @@ void close(ConstPlaneView in, const StructuringElement& element, PlaneView out, 
   if (const auto& plans = buffers.plans_for(in.width, element); plans.before) {
     return close_in_strips(in, plans, out, buffers);
   }
-  const int reach_u = buffers.plans_for(in.width, element).alone.reach_u;
   // Another size or element may have been there since.
-  buffers.source.reserve(in.width, in.height, reach_u, element.height() / 2, largest_order().identity);
-  buffers.closed.reserve(in.width, in.height, reach_u, element.height() / 2, smallest_order().identity);
-  const PlaneView source = buffers.source.pixels(), closed = buffers.closed.pixels();
-  rows_of(in)(0, in.height, 0, in.width, {source.data, source.stride_bytes});
-  close_margined(buffers.source, element, buffers.closed, scratch);
+  const int reach_u = buffers.plans_for(in.width, element).alone.reach_u;
+  buffers.margined.reserve(in.width, in.height, reach_u, element.height() / 2);
+  const PlaneView margined = buffers.margined.pixels();
+  rows_of(in)(0, in.height, 0, in.width, {margined.data, margined.stride_bytes});
+  const PlaneView closed = close_margined(buffers.margined, element, buffers.margined, scratch);
   rows_of(closed)(0, in.height, 0, in.width, {out.data, out.stride_bytes});
 }
 

@@ -54,9 +54,11 @@ OpenSpace OpenSpaceFinder::explain(const ImageView& frame, StageImages& images) 
     chain_->workspace->adit->draw(images);
     return out;
   }
-  const Workspace& work = *chain_->workspace;
+  Workspace& work = *chain_->workspace;
+  const std::vector<std::uint8_t> closed = pixels_of(work.closing);
+  // The closing may have taken its place.
+  dark_channel(frame, work.patch, chain_->config.grey16_depth_bits, work.dark.pixels(), work.scratch);
   const std::vector<std::uint8_t> dark = pixels_of(work.dark.pixels());
-  const std::vector<std::uint8_t> closed = pixels_of(work.closed.pixels());
   images.width = work.width;
   images.height = work.height;
   images.dark_channel = dark;

@@ -105,6 +105,65 @@ void best_of_rows(const ConstRows* from, int count, Rows out, int width, int row
   }
 }
 
+// Columns of vectors downwards (van Herk, 1992): of the rows from v on, suffixes of the first length - 1 and prefixes
+// of those that follow make the next `length` results, with three comparisons each whatever the length.
+template <class Order, int kColumns>
+inline void window_in_columns(ConstRows from, int length, Rows out, int rows) {
+  constexpr int kLanes = Bytes::kLanes;
+  Bytes suffix[kWindowMax][kColumns];
+  Bytes best[kColumns];
+  for (int v = 0; v < rows; v += length) {
+    const std::uint8_t* row = from.first + (v + length - 2) * from.pitch;
+    const std::uint8_t* next = row + from.pitch;
+    for (int c = 0; c < kColumns; ++c) suffix[length - 2][c] = best[c] = load(row + c * kLanes);
+    for (int i = length - 3; i >= 0; --i) {
+      row -= from.pitch;
+      for (int c = 0; c < kColumns; ++c) suffix[i][c] = best[c] = Order::of(best[c], load(row + c * kLanes));
+    }
+    std::uint8_t* to = out.first + v * out.pitch;
+    for (int c = 0; c < kColumns; ++c) {
+      best[c] = load(next + c * kLanes);
+      store(to + c * kLanes, Order::of(best[c], suffix[0][c]));
+    }
+    const int end = rows - v < length ? rows - v : length;
+    for (int i = 1; i < end; ++i) {
+      next += from.pitch;
+      to += out.pitch;
+      for (int c = 0; c < kColumns; ++c) {
+        best[c] = Order::of(best[c], load(next + c * kLanes));
+        store(to + c * kLanes, i < length - 1 ? Order::of(best[c], suffix[i][c]) : best[c]);
+      }
+    }
+  }
+}
+
+template <class Order>
+void best_of_window(ConstRows from, int length, Rows out, int width, int rows) {
+  constexpr int kLanes = Bytes::kLanes;
+  if (width < kLanes) {
+    for (int v = 0; v < rows; ++v) {
+      for (int x = 0; x < width; ++x) {
+        std::uint8_t best = from.first[v * from.pitch + x];
+        for (int i = 1; i < length; ++i) best = Order::of(best, from.first[(v + i) * from.pitch + x]);
+        out.first[v * out.pitch + x] = best;
+      }
+    }
+    return;
+  }
+  int x = 0;
+  for (; x + 2 * kLanes <= width; x += 2 * kLanes) {
+    window_in_columns<Order, 2>({from.first + x, from.pitch}, length, {out.first + x, out.pitch}, rows);
+  }
+  for (; x + kLanes <= width; x += kLanes) {
+    window_in_columns<Order, 1>({from.first + x, from.pitch}, length, {out.first + x, out.pitch}, rows);
+  }
+  // Not in place: there the width is a multiple of all vectors.
+  if (x < width) {
+    x = width - kLanes;
+    window_in_columns<Order, 1>({from.first + x, from.pitch}, length, {out.first + x, out.pitch}, rows);
+  }
+}
+
 template <class Order>
 void fold(const std::uint8_t* row, std::uint8_t* running, const std::uint8_t* suffix, std::uint8_t* out, int width) {
   along(
@@ -310,7 +369,7 @@ std::uint64_t sum_where_bright(const std::uint8_t* from, int channels, const std
 
 template <class Order>
 constexpr OrderLoops order_loops() {
-  return {best_of_rows<Order, false>, best_of_rows<Order, true>, fold<Order>};
+  return {best_of_rows<Order, false>, best_of_rows<Order, true>, best_of_window<Order>, fold<Order>};
 }
 
 #include "cell_loops.inl"

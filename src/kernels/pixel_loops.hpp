@@ -9,6 +9,9 @@ namespace adit::kernels {
 /// Rows that are taken in at once.
 inline constexpr int kOperandsMax = 5;
 
+/// Rows of a window that slides down.
+inline constexpr int kWindowMax = 64;
+
 /// Rows of bytes, `pitch` bytes from one to the next.
 struct Rows {
   std::uint8_t* first;
@@ -26,6 +29,9 @@ struct OrderLoops {
   void (*best_of_rows)(const ConstRows* from, int count, Rows out, int width, int rows);
   /// The same for a first operand that is not in the nearest cache: it is asked for ahead.
   void (*best_of_far_rows)(const ConstRows* from, int count, Rows out, int width, int rows);
+  /// out[x] of row v = best of from[x] in rows v..v+length-1; length is 2 to kWindowMax. In
+  /// place, the width is a multiple of 64.
+  void (*best_of_window)(ConstRows from, int length, Rows out, int width, int rows);
   /// running[x] = best(running[x], row[x]); out[x] = best(running[x], suffix[x]).
   void (*fold)(const std::uint8_t* row, std::uint8_t* running, const std::uint8_t* suffix, std::uint8_t* out,
                int width);

@@ -50,6 +50,8 @@ test("loads whole, without a network and without a complaint", async () => {
   assert.equal(await page.locator("#stages canvas").count(), 6);
   await until(async () => await drawnShare(page, "#stages figure:nth-child(4) canvas") > 0.2, "the stages are drawn");
   assert.ok(await page.locator("#charts canvas").count() >= 4);
+  const ends = await page.evaluate(() => plots.map(p => [p.scales.y.min, p.scales.y.max]));
+  assert.ok(ends.every(([low, high]) => low < high), `axes where a column begins with nothing: ${JSON.stringify(ends)}`);
   assert.match(await page.locator("#made").textContent(), /^adit \d/);
   assert.match(await page.locator("#changed").textContent(), /flight\.time_max_s: 2/);
   assert.deepEqual(page.asked.filter(url => !/^(file|data|blob):/.test(url)), []);

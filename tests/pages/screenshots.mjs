@@ -25,6 +25,13 @@ await report.evaluate(() => document.activeElement.blur());
 await pause(2);
 await shoot(report, "report.png");
 
+await run("render", "s_bend", "--frames", "12", "--size", "320x240", "--out", "bend", "--quiet");
+await run("eval", "bend", "--method", "paper,adit", "--gallery", "gallery.html", "--quiet");
+const gallery = await openPage("file://" + join(at.folder, "gallery.html"), { width: 1180, height: 1050 });
+await gallery.evaluate(() => scrollTo(0, document.getElementById("h-frames").offsetTop - 90));
+await pause(1);
+await shoot(gallery, "gallery.png");
+
 process.chdir(source);
 const view = await serve("view", "data/clip.avi", "--loop");
 const live = await openPage(view.address, { width: 1180, height: 1100 });

@@ -60,8 +60,18 @@ function makeCharts() {
   }
   makeStatus();
 }
-function spread(u, low, high) {
-  if (low == null) return [-1, 1];
+/// From the least to the largest of what is on show, with some room. uPlot's own ends are lost where a column begins with
+/// nothing.
+function spread(u) {
+  const [first, last] = u.series[0].idxs || [0, rows - 1];
+  let low = Infinity, high = -Infinity;
+  for (let s = 1; s < u.series.length; ++s)
+    for (let row = first; u.series[s].show && row <= last; ++row) {
+      const value = u.data[s][row];
+      if (value < low) low = value;
+      if (value > high) high = value;
+    }
+  if (low > high) return [-1, 1];
   const room = Math.max(0.05 * (high - low), 0.02);
   return [low - room, high + room];
 }

@@ -11,22 +11,25 @@ namespace adit {
 namespace {
 
 /// Sum of the colour channels of a pixel in grey levels; grey counts once.
-unsigned channel_sum(const std::uint8_t* pixel, PixelFormat format, int grey16_depth_bits) {
-  if (format == PixelFormat::kGrey16) {
+unsigned channel_sum(const std::uint8_t* pixel, const ImageView& view, int grey16_depth_bits) {
+  if (view.format == PixelFormat::kGrey8) return *pixel;
+  if (view.format == PixelFormat::kGrey16) {
     std::uint16_t value = 0;
     std::memcpy(&value, pixel, sizeof value);
     return static_cast<unsigned>(std::min(value >> (grey16_depth_bits - 8), 255));
   }
-  return static_cast<unsigned>(pixel[0] + pixel[1] + pixel[2]);
+  const std::ptrdiff_t next = view.channel_step();
+  return static_cast<unsigned>(pixel[0] + pixel[next] + pixel[2 * next]);
 }
 
-/// For the formats that are too rare for a loop of their own.
-std::uint64_t plain_sum_where_bright(const std::uint8_t* from, PixelFormat format, int grey16_depth_bits,
-                                     const std::uint8_t* dark, int level, int width) {
-  const int step = bytes_per_pixel(format);
+/// For the formats and layouts that are too rare for a loop of their own.
+std::uint64_t plain_sum_where_bright(const ImageView& view, int v, int grey16_depth_bits, const std::uint8_t* dark,
+                                     int level) {
+  const std::uint8_t* const from = view.row(v);
+  const std::ptrdiff_t step = view.pixel_step();
   std::uint64_t sum = 0;
-  for (int u = 0; u < width; ++u) {
-    if (dark[u] >= level) sum += channel_sum(from + u * step, format, grey16_depth_bits);
+  for (int u = 0; u < view.width; ++u) {
+    if (dark[u] >= level) sum += channel_sum(from + u * step, view, grey16_depth_bits);
   }
   return sum;
 }
@@ -68,11 +71,12 @@ double atmospheric_light(const ImageView& view, int grey16_depth_bits, ConstPlan
   const auto count = static_cast<double>(tail.above_floor + tail.counters[tail.floor]);
   const auto floor = static_cast<std::uint8_t>(tail.floor);
   const int step = bytes_per_pixel(view.format);
+  const bool is_rare = view.format == PixelFormat::kGrey16 || step == 4 || !view.is_packed();
   std::uint64_t sum = 0;
   for (int v = 0; v < view.height; ++v) {
     if (!rows[static_cast<std::size_t>(v)]) continue;
-    if (view.format == PixelFormat::kGrey16 || step == 4) {
-      sum += plain_sum_where_bright(view.row(v), view.format, grey16_depth_bits, dark.row(v), floor, view.width);
+    if (is_rare) {
+      sum += plain_sum_where_bright(view, v, grey16_depth_bits, dark.row(v), floor);
     } else {
       sum += kernels::pixel_loops().sum_where_bright(view.row(v), step, dark.row(v), floor, view.width);
     }

@@ -24,6 +24,7 @@ target_sources(adit_core PRIVATE
   opening_search.cpp
   range_memory.cpp
   reduced_frame.cpp
+  spread_pixels.cpp
   scattering_depth.cpp
   side_mouth.cpp
   stage_images.cpp

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <numbers>
 #include <stdexcept>
 
@@ -121,16 +122,18 @@ void ColumnRange::place_cell(const Camera& camera, double azimuth_rad, double ha
 }
 
 float ColumnRange::light_at(const ImageView& frame, const Sample& sample) const noexcept {
-  const std::uint8_t* row = frame.row(sample.v);
+  const std::uint8_t* const pixel = frame.row(sample.v) + sample.u * frame.pixel_step();
   switch (frame.format) {
     case PixelFormat::kGrey8:
-      return linear_[row[sample.u]];
+      return linear_[*pixel];
     case PixelFormat::kGrey16: {
-      const int level = reinterpret_cast<const std::uint16_t*>(row)[sample.u] >> (grey16_depth_bits_ - 8);
+      std::uint16_t value = 0;
+      std::memcpy(&value, pixel, sizeof value);
+      const int level = value >> (grey16_depth_bits_ - 8);
       return linear_[static_cast<std::size_t>(std::min(level, 255))];
     }
     default:  // green stands in the middle in either order, and has the most light and the least noise
-      return linear_[row[sample.u * bytes_per_pixel(frame.format) + 1]];
+      return linear_[pixel[frame.channel_step()]];
   }
 }
 

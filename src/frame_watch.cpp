@@ -5,6 +5,8 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "spread_pixels.hpp"
+
 namespace adit {
 namespace {
 
@@ -14,10 +16,11 @@ constexpr int kJumpRatio = 3;         // over what the rows about it do in the s
 constexpr double kSeamColumns = 0.7;  // of the columns that have to jump: rock's own edges are never so long and level
 constexpr double kSeamNear = 0.03;    // of the height: an edge that was there in the last frame too is the scene's
 constexpr int kSignalMin = 4;         // rows with signal that a comparison needs
+constexpr std::uint64_t kHashBegin = 0x9e3779b97f4a7c15ull;
 
-std::uint64_t hash_of(const std::uint8_t* row, std::size_t bytes) noexcept {
+/// Goes on with the hash of what stands before; a multiple of eight bytes, but for the last piece of a row.
+std::uint64_t hash_of(const std::uint8_t* row, std::size_t bytes, std::uint64_t hash) noexcept {
   // Multiply and fold, eight bytes at a time (as in wyhash and its kin): collisions do not matter here, speed does.
-  std::uint64_t hash = 0x9e3779b97f4a7c15ull;
   for (std::size_t at = 0; at + 8 <= bytes; at += 8) {
     std::uint64_t word = 0;
     std::memcpy(&word, row + at, 8);
@@ -31,10 +34,30 @@ bool is_flat(const std::uint8_t* row, std::size_t bytes, std::size_t pixel) noex
   return std::memcmp(row, row + pixel, bytes - pixel) == 0;
 }
 
+constexpr int kPiece_px = 240;  // a multiple of eight bytes in every format
+
+/// A row of pixels that do not lie side by side, piece by piece: as its packed copy would be.
+void judge_spread_row(const ImageView& frame, const std::uint8_t* row, std::uint64_t& hash, bool& flat) noexcept {
+  std::array<std::uint8_t, kPiece_px * 4> piece;
+  std::array<std::uint8_t, 4> first{};
+  const auto pixel = static_cast<std::size_t>(bytes_per_pixel(frame.format));
+  flat = true;
+  for (int u = 0; u < frame.width; u += kPiece_px) {
+    const int count = std::min(kPiece_px, frame.width - u);
+    gather_pixels(frame, row + u * frame.pixel_step(), piece.data(), count);
+    const std::size_t bytes = static_cast<std::size_t>(count) * pixel;
+    hash = hash_of(piece.data(), bytes, hash);
+    if (u == 0) std::memcpy(first.data(), piece.data(), pixel);
+    flat = flat && is_flat(piece.data(), bytes, pixel) && std::memcmp(first.data(), piece.data(), pixel) == 0;
+  }
+}
+
 /// The byte of a pixel that carries the light: green, the grey itself, or the upper byte of 16 bits.
-int byte_of(PixelFormat format) noexcept {
-  if (format == PixelFormat::kGrey8) return 0;
-  return 1;  // 16 bits: the upper byte on the little-endian machines that all targets are
+std::ptrdiff_t byte_of(const ImageView& frame) noexcept {
+  if (frame.format == PixelFormat::kGrey8) return 0;
+  if (frame.format == PixelFormat::kGrey16)
+    return 1;  // the upper byte on the little-endian machines that all targets are
+  return frame.channel_step();
 }
 
 }  // namespace
@@ -52,19 +75,27 @@ FrameWatch::Rows FrameWatch::rows_of(const ImageView& frame) noexcept {
   Rows rows;
   const auto pixel = static_cast<std::size_t>(bytes_per_pixel(frame.format));
   const std::size_t bytes = static_cast<std::size_t>(frame.width) * pixel;
+  const bool is_packed = frame.is_packed();
   for (int k = 0; k < kRows; ++k) {
     const std::uint8_t* row = frame.row(static_cast<int>((2LL * k + 1) * frame.height / (2LL * kRows)));
-    rows.hash[static_cast<std::size_t>(k)] = hash_of(row, bytes);
-    rows.flat[static_cast<std::size_t>(k)] = is_flat(row, bytes, pixel);
+    std::uint64_t& hash = rows.hash[static_cast<std::size_t>(k)] = kHashBegin;
+    bool& flat = rows.flat[static_cast<std::size_t>(k)];
+    if (is_packed) {
+      hash = hash_of(row, bytes, hash);
+      flat = is_flat(row, bytes, pixel);
+    } else {
+      judge_spread_row(frame, row, hash, flat);
+    }
   }
   rows.seam = seam_of(frame);
   return rows;
 }
 
 int FrameWatch::seam_of(const ImageView& frame) noexcept {
-  const int pixel = bytes_per_pixel(frame.format), at = byte_of(frame.format);
+  const std::ptrdiff_t pixel = frame.pixel_step(), at = byte_of(frame);
   const int columns = std::min(kColumns, frame.width);
-  std::array<int, kColumns> offset{}, before{}, jump{};
+  std::array<std::ptrdiff_t, kColumns> offset{};
+  std::array<int, kColumns> before{}, jump{};
   for (int i = 0; i < columns; ++i)
     offset[static_cast<std::size_t>(i)] = (2 * i + 1) * frame.width / (2 * columns) * pixel + at;
   int best_row = -1, best_count = static_cast<int>(kSeamColumns * columns);

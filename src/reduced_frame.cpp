@@ -57,7 +57,7 @@ double CellGrid::place(const std::vector<int>& first, double cell) noexcept {
 
 void reduce(const ImageView& view, int grey16_depth_bits, const CellGrid& grid, ReductionRows& rows,
             CellPlane& out) noexcept {
-  const ChannelMinimum channel_minimum(view.format, grey16_depth_bits);
+  const ChannelMinimum channel_minimum(view, grey16_depth_bits);
   std::uint16_t* const sums = rows.sums.data();
   const std::uint8_t* const minimum = rows.minimum.data();
   for (int cell_v = 0; cell_v < grid.height(); ++cell_v) {
@@ -70,7 +70,7 @@ void reduce(const ImageView& view, int grey16_depth_bits, const CellGrid& grid, 
     int rows_read = 0;
     for (int v = first_v; v < end_v; v += step) {
       ++rows_read;
-      channel_minimum(view.row(v), rows.minimum.data(), view.width);
+      channel_minimum(v, rows.minimum.data());
       for (int u = 0; u < view.width; ++u) sums[u] = static_cast<std::uint16_t>(sums[u] + minimum[u]);
     }
     if (grid.cells_of_four() && rows_read == 2) {

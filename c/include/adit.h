@@ -103,7 +103,9 @@ typedef struct adit_navigator adit_navigator; /* frames in, commands out: what a
 #endif
 
 /* Pixels that belong to the caller; read during the call only. Row v starts at data + v * stride_bytes; the stride may
- * be negative (bottom-up images) and may hold padding. Sides: 16 to 8192 px. */
+ * be negative (bottom-up images) and may hold padding. Pixels lie side by side in a row and channels in a pixel where
+ * the last two are 0; else they lie so far apart (mirrored pictures, every second column, planes), in either direction.
+ * Sides: 16 to 8192 px. */
 typedef struct adit_image {
   size_t struct_size;
   const uint8_t* data;
@@ -111,6 +113,9 @@ typedef struct adit_image {
   int32_t height;
   ptrdiff_t stride_bytes;
   int32_t format; /* adit_pixel_format */
+  int32_t reserved;
+  ptrdiff_t pixel_stride_bytes;
+  ptrdiff_t channel_stride_bytes;
 } adit_image;
 
 /* A calibration, as in a ROS camera_info file; px, of the frames' size. */

@@ -37,7 +37,14 @@ ImageView view_of(const adit_image* image) {
   const adit_image given = read_sized(image, "image");
   // A format out of range stays one: the core answers bad_frame.
   const int format = given.format >= 0 && given.format <= 255 ? given.format : 255;
-  return {given.data, given.width, given.height, given.stride_bytes, static_cast<PixelFormat>(format)};
+  const auto stride = [](std::ptrdiff_t bytes) { return bytes == 0 ? kSideBySide : bytes; };
+  return {given.data,
+          given.width,
+          given.height,
+          given.stride_bytes,
+          static_cast<PixelFormat>(format),
+          stride(given.pixel_stride_bytes),
+          stride(given.channel_stride_bytes)};
 }
 
 std::optional<Camera> camera_of(const adit_camera* camera) {

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string_view>
 
 #include "adit/api.hpp"
@@ -40,16 +41,33 @@ enum class PixelFormat : std::uint8_t {
   return 0;
 }
 
-/// A frame that belongs to somebody else: a camera driver's buffer, a cv::Mat, a region of a larger image.
+/// A stride that need not be said: that of pixels and channels without a gap. No two bytes are so far apart.
+inline constexpr std::ptrdiff_t kSideBySide = std::numeric_limits<std::ptrdiff_t>::min();
+
+/// A frame that belongs to somebody else: a camera driver's buffer, a cv::Mat, a region of a larger image, an array.
 /// Row v starts at data + v * stride_bytes; the stride may be negative (bottom-up images) and may hold padding.
+/// Pixels lie side by side in a row, and channels in a pixel, unless the last two say otherwise: mirrored pictures,
+/// every second column, planes one after the other, columns for rows. Such frames are read where they lie, and judged
+/// as their packed copy would be, to the bit; they take longer, for no vector loop fits them.
 struct ImageView {
   const std::uint8_t* data = nullptr;
   int width = 0;                    ///< px
   int height = 0;                   ///< px
-  std::ptrdiff_t stride_bytes = 0;  ///< from one row to the next; |stride| >= width * bytes_per_pixel
+  std::ptrdiff_t stride_bytes = 0;  ///< from one row to the next; |stride| >= width * bytes_per_pixel when packed
   PixelFormat format = PixelFormat::kBgr8;
+  std::ptrdiff_t pixel_stride_bytes = kSideBySide;    ///< from one pixel to the next in a row, of either sign
+  std::ptrdiff_t channel_stride_bytes = kSideBySide;  ///< from one channel of a pixel to the next, of either sign
 
+  /// The first byte of a row's first pixel.
   [[nodiscard]] const std::uint8_t* row(int v) const noexcept { return data + v * stride_bytes; }
+  [[nodiscard]] std::ptrdiff_t pixel_step() const noexcept {
+    return pixel_stride_bytes != kSideBySide ? pixel_stride_bytes : bytes_per_pixel(format);
+  }
+  [[nodiscard]] std::ptrdiff_t channel_step() const noexcept {
+    return channel_stride_bytes != kSideBySide ? channel_stride_bytes : 1;
+  }
+  /// Are the pixels of a row one run of bytes, as loops over rows want them?
+  [[nodiscard]] bool is_packed() const noexcept;
 };
 
 /// One 8-bit plane that may be written: dark channel, closing, labels, mask.
@@ -80,7 +98,8 @@ struct ConstPlaneView {
 
 /// Why a view cannot be judged, in words for a person ("the width is 12 px; 16 to 8192 px are possible"
 /// without the figures), or an empty view when it can: null data, a side outside
-/// [kSideMin_px, kSideMax_px], a stride shorter than a row, an unknown format, 16-bit data at an odd address.
+/// [kSideMin_px, kSideMax_px], an unknown format; of packed rows also a stride shorter than a row, and 16-bit data at
+/// an odd address (with a pixel_stride_bytes of its own it may lie anywhere).
 [[nodiscard]] std::string_view fault_of(const ImageView& view) noexcept;
 
 }  // namespace adit

@@ -26,7 +26,6 @@ from ._adit import (
     TrackerConfig,
     __version__,
     cpu_target,
-    is_copied,
     supported_cpu_targets,
     use_cpu_target,
 )
@@ -50,7 +49,6 @@ __all__ = [
     "TrackerConfig",
     "__version__",
     "cpu_target",
-    "is_copied",
     "supported_cpu_targets",
     "use_cpu_target",
 ]

@@ -15,7 +15,6 @@ namespace {
 /// A finder serves one thread at a time; Python's threads may share one all the same.
 struct LockedFinder {
   OpenSpaceFinder finder;
-  std::vector<std::uint8_t> rows;  ///< for pixels that do not lie side by side
   std::mutex mutex;
 
   explicit LockedFinder(OpenSpaceFinder made) : finder(std::move(made)) {}
@@ -23,14 +22,14 @@ struct LockedFinder {
   OpenSpace find(const ImageArray& image) {
     const py::gil_scoped_release released;
     const std::lock_guard lock(mutex);
-    return finder.find(image.view(rows));
+    return finder.find(image.view());
   }
 
   std::pair<OpenSpace, StageImages> explain(const ImageArray& image) {
     const py::gil_scoped_release released;
     const std::lock_guard lock(mutex);
     std::pair<OpenSpace, StageImages> both;
-    both.first = finder.explain(image.view(rows), both.second);
+    both.first = finder.explain(image.view(), both.second);
     return both;
   }
 };
@@ -182,22 +181,16 @@ void bind_finder(py::module_& module) {
       },
       py::arg("frame"), py::arg("order") = "",
       "Judges one frame: uint8 of shape (height, width[, 1, 3 or 4]), or uint16 of shape (height, width).\n\n"
-      "order: bgr (default), rgb, bgra (default with 4 channels), rgba, grey. Rows of any stride, also negative,\n"
-      "frame[..., ::-1] and frame[..., :3] are read where they lie. Pixels that do not lie side by side in memory "
-      "(mirrored,\n"
-      "every second column, planes, columns first) are copied into a buffer first; is_copied(frame) tells. The\n"
-      "interpreter's lock is released meanwhile.");
+      "order: bgr (default), rgb, bgra (default with 4 channels), rgba, grey. Arrays of any stride are read where they "
+      "lie, none\n"
+      "is copied; those whose pixels do not lie side by side (mirrored, every second column, planes, columns first)\n"
+      "take longer. The interpreter's lock is released meanwhile.");
   finder.def(
       "explain",
       [](LockedFinder& self, const py::array& frame, const std::string& order) {
         return self.explain(ImageArray(frame, order));
       },
       py::arg("frame"), py::arg("order") = "", "As find(), and the pictures of its stages: (OpenSpace, StageImages).");
-  module.def(
-      "is_copied",
-      [](const py::array& frame, const std::string& order) { return ImageArray(frame, order).is_copied(); },
-      py::arg("frame"), py::arg("order") = "",
-      "Would find() have to copy the pixels of this array first, since they do not lie side by side?");
 }
 
 }  // namespace adit::python

@@ -14,7 +14,6 @@ namespace {
 
 struct LockedNavigator {
   Navigator navigator;
-  std::vector<std::uint8_t> rows;
   std::mutex mutex;
 
   explicit LockedNavigator(Navigator made) : navigator(std::move(made)) {}
@@ -22,7 +21,7 @@ struct LockedNavigator {
   std::pair<NavigatorCommand, OpenSpace> update(const ImageArray& image, double stamp_s, const Motion& motion) {
     const py::gil_scoped_release released;
     const std::lock_guard lock(mutex);
-    const Sight sight = navigator.look(image.view(rows));
+    const Sight sight = navigator.look(image.view());
     return {navigator.steer(sight, stamp_s, motion), sight.open_space};
   }
 };

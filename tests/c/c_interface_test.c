@@ -69,6 +69,19 @@ static void test_finder(const char* method) {
   EXPECT((adit_finder_image(finder, ADIT_IMAGE_OPENINGS, NULL, NULL) != NULL) == (strcmp(method, "adit") == 0));
   EXPECT(adit_finder_image(finder, 99, NULL, NULL) == NULL);
 
+  /* Mirrored: pixels from the right to the left. */
+  image.data = pixels + 3 * (kWidth - 1);
+  image.stride_bytes = 3 * kWidth;
+  image.pixel_stride_bytes = -3;
+  EXPECT(adit_finder_find(finder, &image, &seen) == ADIT_OK);
+  EXPECT(seen.status == ADIT_FOUND && fabs(seen.u_px - (kWidth - 1 - 220)) < 12.0 && fabs(seen.v_px - 120.0) < 12.0);
+  /* The channels from the other end, which is no matter to their minimum. */
+  image.data = pixels + 2;
+  image.pixel_stride_bytes = 3;
+  image.channel_stride_bytes = -1;
+  EXPECT(adit_finder_find(finder, &image, &seen) == ADIT_OK);
+  EXPECT(seen.status == ADIT_FOUND && fabs(seen.u_px - 220.0) < 12.0);
+
   /* What is no frame is an answer, not an error. */
   image.format = 77;
   EXPECT(adit_finder_find(finder, &image, &seen) == ADIT_OK && seen.status == ADIT_BAD_FRAME);

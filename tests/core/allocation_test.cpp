@@ -10,6 +10,7 @@
 #include "adit/navigator.hpp"
 #include "frames.hpp"
 #include "lit_plan.hpp"
+#include "spread_frame.hpp"
 
 namespace {
 std::atomic<long> allocations{0};
@@ -108,6 +109,22 @@ TEST(Allocation, NoneByTheMethodAdit) {
               (void)finder.find(wall.view());
             }),
             0);
+}
+
+TEST(Allocation, NoneForFramesInAnyLayout) {
+  const test::Frame frame = test::coloured_tunnel({});
+  for (const Method method : {Method::kPaper, Method::kAdit}) {
+    NavigatorConfig config;
+    config.finder.method = method;
+    Navigator navigator(config);
+    (void)navigator.update(frame.view(), 0.0);
+    const auto spreads = test::spreads_of(frame);
+    EXPECT_EQ(allocations_during([&] {
+                double stamp_s = 0.0;
+                for (const test::SpreadFrame& spread : spreads) (void)navigator.update(spread.view, stamp_s += 0.05);
+              }),
+              0);
+  }
 }
 
 TEST(Allocation, NoneInTheController) {

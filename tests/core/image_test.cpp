@@ -53,5 +53,25 @@ TEST(Image, SixteenBitsMustBeAligned) {
   EXPECT_NE(fault_of(view), "");
 }
 
+TEST(Image, WhatDoesNotLieSideBySideIsAFrameToo) {
+  const test::Frame frame(64, 48, PixelFormat::kBgr8), deep(64, 48, PixelFormat::kGrey16);
+  ImageView view = frame.view();
+  EXPECT_TRUE(view.is_packed());
+  view.pixel_stride_bytes = 3;
+  view.channel_stride_bytes = 1;
+  EXPECT_TRUE(view.is_packed());
+  view.stride_bytes = 0;
+  EXPECT_EQ(fault_of(view), "") << "one row for all";
+  view.pixel_stride_bytes = -3;
+  EXPECT_FALSE(view.is_packed());
+  EXPECT_EQ(fault_of(view), "") << "one row for all, mirrored";
+  view = deep.view();
+  view.data += 1;
+  EXPECT_NE(fault_of(view), "") << "packed, at an odd address";
+  view.pixel_stride_bytes = 2;
+  EXPECT_FALSE(view.is_packed());
+  EXPECT_EQ(fault_of(view), "") << "said to lie anywhere";
+}
+
 }  // namespace
 }  // namespace adit

@@ -13,6 +13,10 @@
 #include "bench_report.hpp"
 #include "bench_targets.hpp"
 #include "drawn_frame.hpp"
+#include "file_uses.hpp"
+#include "interrupt.hpp"
+#include "number_in.hpp"
+#include "progress.hpp"
 #include "subcommands.hpp"
 
 namespace adit::tools {
@@ -60,11 +64,21 @@ BenchSubject subject_of(const BenchOptions& options) {
   return subject;
 }
 
-void bench(const BenchOptions& options) {
+ExitCode bench(const BenchOptions& options) {
+  watch_signals();
+  FileUses uses;
+  if (options.input != "noise") uses.reads("--input", options.input);
+  uses.writes("--json", options.json_file);
   if (!options.target.empty()) force_target(options.target);
   const BenchFigures figures = measure(subject_of(options));
+  if (is_interrupted()) {
+    print_line("adit: interrupted after " + std::to_string(figures.frame.count()) +
+               " timed frames; figures of a part would mislead, so none are told");
+    return kInterrupted;
+  }
   if (!options.json_file.empty()) io::write_file(options.json_file, json_of(figures));
   if (options.json_file != "-") io::write_file("-", table_of(figures));
+  return kSuccess;
 }
 
 }  // namespace
@@ -74,19 +88,18 @@ void add_bench(CLI::App& app, ExitCode& exit_code) {
   auto options = std::make_shared<BenchOptions>();
   bench_app->add_option("--seconds", options->seconds, "About how long [10]")
       ->type_name("N")
-      ->check(CLI::Range(0.05, 3600.0).description(""));
+      ->check(NumberIn(0.05, 3600.0));
   bench_app->add_option("--json", options->json_file, "All figures as JSON; - is stdout")->type_name("FILE");
   bench_app->add_option("--input", options->input, "The frame [a drawn tunnel]; noise: a frame of noise")
       ->type_name("IMAGE");
   bench_app->add_option("--size", options->size, "Resize the frame first")->type_name("WxH");
-  bench_app->add_option("--target", options->target, "CPU target of the pixel loops [the best]")->type_name("NAME");
+  bench_app->add_option("--target", options->target, "CPU target of the pixel loops [the best]")
+      ->type_name("NAME")
+      ->check(CLI::IsMember(supported_target_names()));
   bench_app->add_flag("--cpu-time", options->is_cpu_time,
                       "Count the time on the core, not the time that passed: for busy machines");
   bench_app->footer("Example: adit bench --seconds 10 --json bench.json");
-  bench_app->callback([options, &exit_code] {
-    bench(*options);
-    exit_code = kSuccess;
-  });
+  bench_app->callback([options, &exit_code] { exit_code = bench(*options); });
 }
 
 }  // namespace adit::tools

@@ -7,6 +7,7 @@
 
 #include "adit/io/image_file.hpp"
 #include "bench_targets.hpp"
+#include "interrupt.hpp"
 #include "opencv_chains.hpp"
 
 namespace adit::tools {
@@ -58,7 +59,7 @@ void time_rivals(const BenchSubject& subject, double seconds, BenchFigures& figu
   const double begin_ms = now_ms();
   const auto is_enough = [&] {
     const double spent = (now_ms() - begin_ms) / 1000.0;
-    return spent >= 4.0 * seconds || (spent >= seconds && figures.frame.count() >= kFramesMin);
+    return is_interrupted() || spent >= 4.0 * seconds || (spent >= seconds && figures.frame.count() >= kFramesMin);
   };
   do {
     const std::int64_t before = interruptions();
@@ -91,12 +92,13 @@ void time_picture(TimeKind kind, const cv::Mat& bgr, const FinderConfig& config,
   do {
     samples.add(time_of(kind, [&] { (void)finder.find(view); }));
     spent = (now_ms() - begin_ms) / 1000.0;
-  } while (spent < seconds || (samples.count() < least && spent < 4.0 * seconds));
+  } while (!is_interrupted() && (spent < seconds || (samples.count() < least && spent < 4.0 * seconds)));
 }
 
 void time_targets(const BenchSubject& subject, double seconds, BenchFigures& figures) {
   const std::vector<std::string> names = supported_target_names();
   for (const std::string& name : names) {
+    if (is_interrupted()) break;
     force_target(name);
     figures.targets.emplace_back(name, Samples());
     time_picture(subject.time_kind, subject.bgr, paper_preset(), seconds / static_cast<double>(names.size()), 20,

@@ -13,8 +13,10 @@
 #include "eval_parts.hpp"
 #include "eval_report.hpp"
 #include "eval_work.hpp"
+#include "file_uses.hpp"
 #include "finder_options.hpp"
 #include "interrupt.hpp"
+#include "number_in.hpp"
 #include "progress.hpp"
 #include "subcommands.hpp"
 
@@ -62,10 +64,10 @@ void add_options(CLI::App& eval, Options& options) {
   eval.add_option("--seed", options.work.bootstrap.seed, "Of intervals and random places (1)")->type_name("N");
   eval.add_option("--resamples", options.work.bootstrap.resamples, "Draws of places for the intervals (2000)")
       ->type_name("N")
-      ->check(CLI::Range(100, 1000000));
+      ->check(NumberIn(100, 1000000));
   eval.add_option("--jobs", options.work.jobs, "Threads; the output is the same with any (all cores)")
       ->type_name("N")
-      ->check(CLI::Range(1, 256));
+      ->check(NumberIn(1, 256));
   add_shard_option(eval, options.work.shard);
   eval.add_flag("--quiet", options.work.quiet, "No progress");
 }
@@ -118,6 +120,34 @@ const std::string& whole_of(const Options& options) {
   return whole;
 }
 
+/// Nothing that is read may be written over. @throws CLI::ValidationError
+void check_files(const Options& options, const std::string& whole) {
+  namespace fs = std::filesystem;
+  FileUses uses;
+  uses.reads(options.finder);
+  for (const std::string& table : options.tables) uses.reads("--table", table.substr(table.find('=') + 1));
+  for (const Part& part : options.work.parts) uses.reads("PART", part.path);
+  uses.reads_frames("DATASET", options.sets);
+  for (std::size_t s = 0; s < options.sets.size(); ++s) {
+    std::set<fs::path> folders{options.sets[s]};
+    for (const EvalFrame& frame : options.work.sets[s].frames) {
+      uses.reads("DATASET", frame.image);
+      uses.reads("DATASET", frame.ranges);
+      folders.insert(frame.image.parent_path());
+      folders.insert(frame.image.parent_path().parent_path());
+    }
+    for (const fs::path& folder : folders)
+      for (const char* name : {"openings.json", "truth.csv", "camera.yaml"}) uses.reads("DATASET", folder / name);
+  }
+  if (!whole.empty()) return uses.writes("--shard", part_path(whole, options.work.shard));
+  uses.writes("--json", options.json);
+  uses.writes("--csv", options.csv);
+  for (const auto& [name, path] : {std::pair("--gallery", options.gallery), std::pair("--report", options.report)}) {
+    if (!path.ends_with(".html")) uses.writes_into(name, path, {});
+    uses.writes(name, path);
+  }
+}
+
 ExitCode run(Options& options, const std::vector<std::string>& arguments) {
   const std::string whole = options.work.shard.is_given() ? whole_of(options) : "";
   EvalWork& work = options.work;
@@ -128,6 +158,7 @@ ExitCode run(Options& options, const std::vector<std::string>& arguments) {
   work.contenders = contenders_of(options, configuration.finder);
   for (const std::string& path : options.sets) work.sets.push_back(read_eval_set(path, options.sequence));
   work.pictures = !options.gallery.empty() || !options.report.empty();
+  check_files(options, whole);
   const EvalResult result = evaluate(work);
   if (result.interrupted) {
     print_line("adit: interrupted; figures of a part would mislead, so none are written");

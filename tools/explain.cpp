@@ -9,6 +9,7 @@
 #include "adit/io/image_file.hpp"
 #include "adit/io/output_file.hpp"
 #include "adit/io/panel.hpp"
+#include "file_uses.hpp"
 #include "finder_options.hpp"
 #include "grey16_doubt.hpp"
 #include "progress.hpp"
@@ -36,6 +37,10 @@ std::filesystem::path output_of(const ExplainOptions& options) {
 
 void explain(const ExplainOptions& options) {
   const std::filesystem::path output = output_of(options);
+  FileUses uses;
+  uses.reads("IMAGE", options.image);
+  uses.reads(options.finder);
+  uses.writes("--output", output);
   const FinderConfig config = configuration_of(options.finder).finder;
   const std::optional<Camera> camera = camera_of(options.finder);
   io::PanelSubject subject{.name = std::filesystem::path(options.image).filename().string(),

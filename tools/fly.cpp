@@ -11,6 +11,7 @@
 #include "fly_runs.hpp"
 #include "fly_setup.hpp"
 #include "interrupt.hpp"
+#include "number_in.hpp"
 #include "progress.hpp"
 #include "subcommands.hpp"
 #include "world_options.hpp"
@@ -49,17 +50,20 @@ std::vector<std::uint64_t> seeds_of(const Options& options) {
 void add_flight_options(CLI::App& fly, Options& options) {
   std::string lamps;
   for (const std::string& name : sim::rig_preset_names()) lamps += (lamps.empty() ? "" : ", ") + name;
-  fly.add_option("--lamp", options.fly.lamp, "Lamp and camera: " + lamps)->type_name("PRESET");
+  fly.add_option("--lamp", options.fly.lamp, "Lamp and camera: " + lamps)
+      ->type_name("PRESET")
+      ->check(CLI::IsMember(sim::rig_preset_names()));
   fly.add_option("--dust", options.fly.dust_1_m, "Extinction, 0 to 0.5 1/m")
       ->type_name("1/M")
-      ->check(CLI::Range(0.0, 0.5));
-  fly.add_option("--speed", options.fly.speed_m_s, "Forward speed (1)")
-      ->type_name("M/S")
-      ->check(CLI::Range(0.05, 10.0));
-  fly.add_option("--time", options.fly.time_s, "At the most (120)")->type_name("S")->check(CLI::Range(0.1, 36000.0));
-  fly.add_option("--method", options.fly.method, "Chain of stages: paper, adit")->type_name("NAME");
+      ->check(NumberIn(0.0, 0.5));
+  fly.add_option("--speed", options.fly.speed_m_s, "Forward speed (1)")->type_name("M/S")->check(NumberIn(0.05, 10.0));
+  fly.add_option("--time", options.fly.time_s, "At the most (120)")->type_name("S")->check(NumberIn(0.1, 36000.0));
+  fly.add_option("--method", options.fly.method, "Chain of stages: paper, adit")
+      ->type_name("NAME")
+      ->check(CLI::IsMember({"paper", "adit"}));
   fly.add_option("--prefer", options.fly.prefer, "At junctions, not with paper: straight, left, right, explore")
-      ->type_name("WAY");
+      ->type_name("WAY")
+      ->check(CLI::IsMember({"straight", "left", "right", "explore"}));
   fly.add_option("--config", options.fly.config_file, "Settings by section; see docs/simulation.md")
       ->type_name("FILE.yaml");
   fly.add_option("--set", options.fly.settings, "One setting, over those of --config; repeatable")
@@ -67,7 +71,7 @@ void add_flight_options(CLI::App& fly, Options& options) {
       ->allow_extra_args(false);
 }
 
-/// The page holds 30 lines: --bag, --still, --sensors, --seeds, --jobs and --quiet stand in the manual alone.
+/// The page holds 36 lines: what is seldom wanted stands in the manual alone, and its names in the last lines.
 void add_work_options(CLI::App& fly, Options& options) {
   fly.add_option("--out", options.work.out, "Folder for flight.csv, summary.json, map.png, figures")->type_name("DIR");
   fly.add_flag("--video", options.work.film, "Also the film, with overlay: flight.mp4");
@@ -79,12 +83,13 @@ void add_work_options(CLI::App& fly, Options& options) {
       ->group("");
   fly.add_option("--port", options.work.view_port, "Its port (any that is free)")
       ->type_name("N")
-      ->check(CLI::Range(1, 65535))
+      ->check(NumberIn(1, 65535))
       ->group("");
 #endif
   fly.add_option("--still", options.work.stills_s, "Also the picture at this time, repeatable")
       ->type_name("S")
       ->allow_extra_args(false)
+      ->check(NumberIn(0.0, 36000.0))
       ->group("");
   fly.add_option("--bag", options.work.bag.file, "The flight as a bag of ROS 1")->type_name("FILE.bag")->group("");
   fly.add_option("--bag-images", options.work.bag.images, "raw or jpeg (raw)")
@@ -98,12 +103,12 @@ void add_work_options(CLI::App& fly, Options& options) {
   fly.add_option("--seed", options.seed, "Of start, gusts and noise (1)")->type_name("N");
   fly.add_option("--runs", options.runs, "Fly with so many seeds; a table and the success rate")
       ->type_name("N")
-      ->check(CLI::Range(1, 100000));
-  fly.add_option("--seeds", options.seeds, "The same with these seeds")->type_name("A..B")->group("");
+      ->check(NumberIn(1, 100000));
+  fly.add_option("--seeds", options.seeds, "The same with these seeds")->type_name("A..B");
   add_shard_option(fly, options.shard, true);
   fly.add_option("--jobs", options.work.jobs, "Flights at once (all cores)")
       ->type_name("N")
-      ->check(CLI::Range(1, 256))
+      ->check(NumberIn(1, 256))
       ->group("");
   fly.add_flag("--quiet", options.work.quiet, "No progress, no summary")->group("");
 }
@@ -117,6 +122,16 @@ void take_shard(Options& options, const FlySettings& settings, const Site& site)
   const auto items = static_cast<std::int64_t>(seeds.size());
   seeds =
       std::vector<std::uint64_t>(seeds.begin() + options.shard.first(items), seeds.begin() + options.shard.end(items));
+}
+
+/// Nothing that is read may be written over. @throws CLI::ValidationError
+void check_files(const Options& options) {
+  FileUses uses;
+  add_reads(options.fly, uses);
+  uses.writes_into("--out", options.work.out, {"settings.yaml", "map.yaml", "flight.csv"});
+  uses.writes("--out", options.work.out);
+  uses.writes("--report", options.work.report);
+  uses.writes("--bag", options.work.bag.file);
 }
 
 ExitCode run(Options& options) {
@@ -133,6 +148,7 @@ ExitCode run(Options& options) {
     throw CLI::ValidationError("--report", "is for one flight; of many, give --out and report each seed's folder");
   if (options.work.view && (options.runs > 0 || !options.seeds.empty()))
     throw CLI::ValidationError("--view", "is for one flight");
+  check_files(options);
   watch_signals();
   const FlySettings settings = fly_settings_of(options.fly);
   const Site site = site_of(options.fly, settings);
@@ -152,7 +168,9 @@ void add_fly(CLI::App& app, ExitCode& exit_code) {
   add_world_options(*fly, options->fly);
   add_flight_options(*fly, *options);
   add_work_options(*fly, *options);
-  fly->footer("Example: adit fly s_bend --out flight --video");
+  fly->footer(
+      "More, in docs/manual.md: --jobs --still --sensors --bag --bag-images --bag-topic --shard --listen\n"
+      "--port --quiet\nExample: adit fly s_bend --out flight --video");
   fly->callback([options, &exit_code] { exit_code = run(*options); });
 }
 

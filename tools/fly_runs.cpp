@@ -332,11 +332,11 @@ ExitCode fly_many(const FlyWork& work, const FlySettings& settings, const Site& 
       write_fly_part(work.out, *work.part, runs, aim_of(site.world));
       return kSuccess;
     }
-    if (runs.empty()) return is_interrupted() ? kInterrupted : kUnexpected;
-    report_runs(work.out, work.quiet, runs, aim_of(site.world));
+    if (runs.empty() && !is_interrupted()) return kUnexpected;
+    if (!runs.empty()) report_runs(work.out, work.quiet, runs, aim_of(site.world));
     if (!is_interrupted()) return kSuccess;
     print_line("adit: interrupted after " + std::to_string(runs.size()) + " of " + std::to_string(work.seeds.size()) +
-               " flights; what was written is whole");
+               " flights; " + (runs.empty() ? "half a flight is no result" : "what was written is whole"));
     return kInterrupted;
   });
 }

@@ -1,5 +1,6 @@
 #include "fly_setup.hpp"
 
+#include <CLI/Error.hpp>
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
@@ -65,6 +66,26 @@ io::SettingSection lamps_alike(sim::LampRig& rig) {
 }
 
 bool is_sdf(const fs::path& path) { return path.extension() == ".world" || path.extension() == ".sdf"; }
+
+/// Is there a pilot that chooses at junctions?
+bool is_navigated(const sim::FlightSettings& s) {
+  return s.flight.pilot == sim::Pilot::kNavigator ||
+         (s.flight.pilot == sim::Pilot::kByMethod && s.finder.method != Method::kPaper);
+}
+
+/// Far enough for any tunnel's floor or wall, and near enough to be no rock of elsewhere.
+constexpr float kFloorFarthest_m = 50.0f, kWallFarthest_m = 10.0f;
+
+/// @throws io::ConfigError when nothing is beneath or around the start: there would be nothing to fly in.
+void refuse_void(const std::vector<double>& start, const Site& site) {
+  const Eigen::Vector3f& place = site.world.start.place;
+  const Eigen::Vector3f above = place + Eigen::Vector3f(0.0f, 0.0f, 1.0f);  // a start may lie a little under the floor
+  if (site.scene->closest_hit(above, -Eigen::Vector3f::UnitZ(), kFloorFarthest_m)) return;
+  if (site.scene->nearest(place, kWallFarthest_m)) return;
+  throw io::ConfigError("--start " + io::number_text(start[0]) + "," + io::number_text(start[1]) + "," +
+                        io::number_text(start[2]) + "," + io::number_text(start[3]) +
+                        ": there is no rock beneath or around this place; give one within the tunnel");
+}
 
 sim::MeshUp mesh_up_of(const std::string& name) {
   if (name == "x") return sim::MeshUp::kX;
@@ -135,6 +156,10 @@ FlySettings fly_settings_of(const FlyOptions& options, const std::function<void(
       s.rig.dust.grains_per_m3 = kGrainsPerExtinction * s.rig.dust.extinction_1_m;
     }
     for (const std::string& setting : options.settings) sections.set(setting);
+    if (!options.prefer.empty() && !is_navigated(s.flight))
+      throw CLI::ValidationError("--prefer", "the published pilot of method " +
+                                                 std::string(to_string(s.flight.finder.method)) +
+                                                 " chooses no way; leave it out, or add --set pilot=navigator");
     return s;
   } catch (const sim::WorldError& e) {
     throw io::InputError(e.what());
@@ -154,6 +179,7 @@ Site site_of(const FlyOptions& options, const FlySettings& settings) {
       throw io::ConfigError(options.world_file + ": where the flight begins is not known; give --start x,y,z,yaw_deg");
     }
     site.scene = std::make_shared<const sim::RayScene>(site.world.mesh);
+    if (!options.start.empty()) refuse_void(options.start, site);
     return site;
   } catch (const sim::WorldError& e) {
     throw io::InputError(e.what());

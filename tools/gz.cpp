@@ -12,9 +12,11 @@
 #include "adit/node/control.hpp"
 #include "adit/node/perception.hpp"
 #include "adit/node/settings.hpp"
+#include "file_uses.hpp"
 #include "finder_options.hpp"
 #include "gz_link.hpp"
 #include "interrupt.hpp"
+#include "number_in.hpp"
 #include "progress.hpp"
 #include "subcommands.hpp"
 
@@ -179,6 +181,9 @@ class Pilot {
 };
 
 ExitCode run(const Options& options) {
+  FileUses uses;
+  uses.reads(options.finder);
+  uses.writes("--csv", options.csv);
   watch_signals();
   Pilot pilot(options);
   pilot.fly();
@@ -197,7 +202,7 @@ void add_gz(CLI::App& app, ExitCode& exit_code) {
   gz->add_option("--cmd", options->topics.command, "Velocity command, a Twist (/cmd_vel)")->type_name("TOPIC");
   gz->add_option("--enable", options->topics.enable, "Boolean that starts the vehicle's controller")
       ->type_name("TOPIC");
-  gz->add_option("--speed", options->speed_m_s, "Forward speed (0.2)")->type_name("M/S")->check(CLI::Range(0.0, 10.0));
+  gz->add_option("--speed", options->speed_m_s, "Forward speed (0.2)")->type_name("M/S")->check(NumberIn(0.0, 10.0));
   gz->add_option("--pilot", options->pilot, "by_method, published or navigator (by_method)")->type_name("NAME");
   gz->add_flag("--recorded", options->is_recorded,
                "The camera does not go where the commands send it: what is played is a recording");
@@ -205,7 +210,7 @@ void add_gz(CLI::App& app, ExitCode& exit_code) {
   gz->add_option("--csv", options->csv, "Table of the answers, as adit run makes it")->type_name("FILE");
   gz->add_option("--limit", options->limit, "End after so many frames")
       ->type_name("N")
-      ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 40));
+      ->check(NumberIn(std::int64_t{1}, std::int64_t{1} << 40));
   gz->add_flag("--quiet", options->quiet, "No reports");
   gz->footer("Example: adit gz --image /camera --cmd /adit_quadrotor/cmd_vel --speed 0.5");
   gz->callback([options, &exit_code] { exit_code = run(*options); });

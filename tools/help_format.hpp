@@ -4,6 +4,7 @@
 #include <CLI/App.hpp>
 #include <CLI/Formatter.hpp>
 #include <string>
+#include <utility>
 
 namespace adit::tools {
 
@@ -19,6 +20,13 @@ class HelpFormat : public CLI::Formatter {
     return option->get_type_size() == 0 || option->get_positional() ? "" : " " + kind_of(option);
   }
   std::string make_option_usage(const CLI::Option* option) const override { return kind_of(option); }
+
+  /// A group that is hidden and last would leave a second blank line.
+  std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override {
+    std::string text = Formatter::make_help(app, std::move(name), mode);
+    for (std::size_t at = 0; (at = text.find("\n\n\n")) != std::string::npos;) text.erase(at, 1);
+    return text;
+  }
 
  private:
   /// CLI11 puts the range behind a colon.

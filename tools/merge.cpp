@@ -7,6 +7,7 @@
 #include "adit/io/errors.hpp"
 #include "adit/io/output_file.hpp"
 #include "eval_parts.hpp"
+#include "file_uses.hpp"
 #include "parts.hpp"
 #include "progress.hpp"
 #include "subcommands.hpp"
@@ -69,6 +70,9 @@ ExitCode run(const Options& options) {
     print_missing(paths);
     return kSuccess;
   }
+  FileUses uses;
+  for (const fs::path& path : paths) uses.reads("PART", path);
+  uses.writes("WHOLE", whole);
   const std::vector<Part> parts = read_parts(paths);
   const ExitCode code = join(options, whole, parts);
   if (options.remove)

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "interrupt.hpp"
+#include "number_in.hpp"
 #include "progress.hpp"
 #include "render_work.hpp"
 #include "subcommands.hpp"
@@ -15,7 +16,8 @@
 namespace adit::tools {
 namespace {
 
-constexpr std::int64_t kFrames = 100;  ///< where neither --frames nor --poses says how many
+constexpr int kSideLeast_px = 16, kSideMost_px = 4096;  ///< as lens.width and lens.height take them
+constexpr std::int64_t kFrames = 100;                   ///< where neither --frames nor --poses says how many
 
 struct Options {
   FlyOptions fly;
@@ -27,10 +29,12 @@ struct Options {
 void add_picture_options(CLI::App& render, FlyOptions& options, std::string& size) {
   std::string rigs;
   for (const std::string& name : sim::rig_preset_names()) rigs += (rigs.empty() ? "" : ", ") + name;
-  render.add_option("--rig", options.lamp, "Lamp and camera: " + rigs)->type_name("PRESET");
+  render.add_option("--rig", options.lamp, "Lamp and camera: " + rigs)
+      ->type_name("PRESET")
+      ->check(CLI::IsMember(sim::rig_preset_names()));
   render.add_option("--dust", options.dust_1_m, "Extinction, 0 to 0.5 1/m")
       ->type_name("1/M")
-      ->check(CLI::Range(0.0, 0.5));
+      ->check(NumberIn(0.0, 0.5));
   render.add_option("--size", size, "Of the frames (640x480)")->type_name("WxH");
   render.add_option("--config", options.config_file, "Settings by section, such as DIR/settings.yaml of before")
       ->type_name("FILE.yaml");
@@ -42,16 +46,14 @@ void add_picture_options(CLI::App& render, FlyOptions& options, std::string& siz
 void add_work_options(CLI::App& render, Options& options) {
   render.add_option("--frames", options.work.frames, "How many (100; with --poses: a frame a row)")
       ->type_name("N")
-      ->check(CLI::Range(1, 1000000));
+      ->check(NumberIn(1, 1000000));
   render.add_option("--seed", options.work.seed, "Of places and noise (1)")->type_name("N");
   render.add_option("--poses", options.poses, "From these places, such as a flight's flight.csv; else drawn")
       ->type_name("FILE");
   render.add_option("--out", options.work.out, "Folder: frames, range, truth.csv, camera.yaml, settings.yaml")
       ->type_name("DIR")
       ->required();
-  render.add_option("--jobs", options.work.jobs, "Frames at once (all cores)")
-      ->type_name("N")
-      ->check(CLI::Range(1, 256));
+  render.add_option("--jobs", options.work.jobs, "Frames at once (all cores)")->type_name("N")->check(NumberIn(1, 256));
   render.add_flag("--quiet", options.work.quiet, "No progress, no summary");
 }
 
@@ -59,8 +61,9 @@ void add_work_options(CLI::App& render, Options& options) {
 void take_size(const std::string& size, std::vector<std::string>& settings) {
   int width = 0, height = 0, read = 0;
   if (std::sscanf(size.c_str(), "%dx%d%n", &width, &height, &read) != 2 ||
-      static_cast<std::size_t>(read) != size.size())
-    throw CLI::ValidationError("--size", "'" + size + "' is not WIDTHxHEIGHT, as 640x480");
+      static_cast<std::size_t>(read) != size.size() || std::min(width, height) < kSideLeast_px ||
+      std::max(width, height) > kSideMost_px)
+    throw CLI::ValidationError("--size", "'" + size + "' is not WIDTHxHEIGHT with sides of 16 to 4096 px");
   settings.insert(settings.begin(), {"lens.width=" + std::to_string(width), "lens.height=" + std::to_string(height)});
 }
 
@@ -87,6 +90,10 @@ ExitCode run(Options& options) {
   RenderWork& work = options.work;
   if (fly.course.empty() == fly.world_file.empty()) throw CLI::RequiredError("one of COURSE and --world");
   if (!options.size.empty()) take_size(options.size, fly.settings);
+  FileUses uses;
+  add_reads(fly, uses);
+  uses.reads("--poses", options.poses);
+  uses.writes_into("--out", work.out, {"truth.csv", "camera.yaml", "settings.yaml", "dataset.json"});
   watch_signals();
   sim::ViewpointConfig viewpoints;
   FlySettings settings = fly_settings_of(fly, [&](io::Settings& all) { all.add("viewpoint", viewpoints); });

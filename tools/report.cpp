@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <memory>
 
+#include "file_uses.hpp"
 #include "progress.hpp"
 #include "report_folder.hpp"
 #include "subcommands.hpp"
@@ -18,12 +19,26 @@ struct Options {
   bool quiet = false;
 };
 
+/// The page may be written over an older one alone. @throws CLI::ValidationError
+void check_files(const std::filesystem::path& folder, const std::filesystem::path& out, const Report& report) {
+  FileUses uses;
+  std::error_code error;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder, error))
+    if (entry.path().extension() != ".html") uses.reads("RUN_DIR", entry.path());
+  for (const auto& [row, source] : report.table.sources()) {
+    uses.reads("the table in RUN_DIR", source);
+    uses.reads("the table in RUN_DIR", folder / std::filesystem::path(source).filename());
+  }
+  uses.writes("--out", out);
+}
+
 ExitCode run(const Options& options) {
   const std::filesystem::path out =
       options.out.empty() ? std::filesystem::path(options.folder) / "report.html" : std::filesystem::path(options.out);
   Progress progress(std::nullopt, "frames", options.quiet);
   Report report = report_of_folder(options.folder, [&progress](std::int64_t frames) { progress.show(frames); });
   progress.clear();
+  check_files(options.folder, out, report);
   write_report(out, report);
   if (!options.quiet)
     for (const std::string& note : report.notes) print_line("adit: " + note);

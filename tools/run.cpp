@@ -14,6 +14,7 @@
 #include "finder_options.hpp"
 #include "frame_line.hpp"
 #include "interrupt.hpp"
+#include "number_in.hpp"
 #include "progress.hpp"
 #include "report_run.hpp"
 #include "run_outputs.hpp"
@@ -79,9 +80,10 @@ class Run {
       if (!take_source(*source)) break;
     }
     line_.finish();
-    if (!options_.learn_lamp.empty()) write_lamp();
+    const bool lamp_is_missing = !options_.learn_lamp.empty() && !write_lamp();
     progress_.clear();
-    return end();
+    const ExitCode code = end();
+    return code == kSuccess && lamp_is_missing ? kOutputNotWritten : code;
   }
 
  private:
@@ -202,10 +204,17 @@ class Run {
     return tally_.judged() < tally_.frames() || !early_ends_.empty() ? kSomeUnreadable : kSuccess;
   }
 
-  void write_lamp() {
+  /// False when there is nothing to write.
+  bool write_lamp() {
     const LampPattern lamp = line_.lamp();
-    if (lamp.frames > 0.0) return io::write_file(options_.learn_lamp, io::to_yaml(lamp));
-    progress_.say("adit: " + options_.learn_lamp + ": not written: no frame of a sequence showed the lamp's light");
+    if (lamp.frames > 0.0) {
+      io::write_file(options_.learn_lamp, io::to_yaml(lamp));
+      return true;
+    }
+    progress_.say(
+        "adit: " + options_.learn_lamp +
+        ": not written: no frame of a sequence showed the lamp's light; give a video, or images with --sequence");
+    return false;
   }
 
   void print_summary() const {
@@ -248,7 +257,7 @@ void add_options(CLI::App& run, RunOptions& options) {
   add_finder_options(run, options.finder);
   run.add_option("--fps", options.sources.images_hz, "Frames a second of images: their stamps (30)")
       ->type_name("HZ")
-      ->check(CLI::Range(0.001, 10000.0));
+      ->check(NumberIn(0.001, 10000.0));
   run.add_option("--topic", options.bag_topic, "Of the images in a bag (the only one)")->type_name("NAME");
   run.add_flag("--sequence", options.sources.images_are_sequence,
                "Images follow each other in time: steering remembers");
@@ -257,13 +266,23 @@ void add_options(CLI::App& run, RunOptions& options) {
   run.add_option("--learn-lamp", options.learn_lamp, "Learn the lamp's pattern from sequences")->type_name("FILE.yaml");
   run.add_option("--jobs", options.jobs, "Threads; the output is the same with any (all cores)")
       ->type_name("N")
-      ->check(CLI::Range(1, 256));
+      ->check(NumberIn(1, 256));
   run.add_option("--limit", options.limit, "End after so many frames")
       ->type_name("N")
-      ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 40));
+      ->check(NumberIn(std::int64_t{1}, std::int64_t{1} << 40));
   add_shard_option(run, options.shard);
   run.add_flag("--timing", options.outputs.timing, "A column find_ms");
   run.add_flag("--quiet", options.quiet, "No progress, no summary");
+}
+
+/// Nothing that is read may be written over. @throws CLI::ValidationError
+void check_files(RunOptions& options) {
+  FileUses uses;
+  uses.reads_frames("INPUT", options.inputs);
+  uses.reads(options.finder);
+  uses.reads("--lamp", options.lamp);
+  check_outputs(options.outputs, uses);
+  uses.writes("--learn-lamp", options.learn_lamp);
 }
 
 }  // namespace
@@ -274,13 +293,13 @@ void add_run(CLI::App& app, ExitCode& exit_code) {
   add_options(*run, *options);
   run->footer("Example: adit run data/clip.avi --csv headings.csv --video headings.mp4");
   run->callback([options, &exit_code] {
-    make_run_folder(options->outputs);
-    check_outputs(options->outputs, options->inputs);
+    check_files(*options);
     if (options->shard.is_given() && !options->learn_lamp.empty()) {
       throw CLI::ValidationError("--learn-lamp", "a shard sees only its part; learn from the whole sequence");
     }
     check_shard(options->shard, options->outputs, options->inputs, options->limit);
     watch_signals();
+    make_run_folder(options->outputs);
     exit_code = Run(*options)();
   });
 }

@@ -3,7 +3,6 @@
 #include <CLI/Error.hpp>
 #include <cstdio>
 #include <filesystem>
-#include <system_error>
 
 #include "adit/io/errors.hpp"
 
@@ -12,48 +11,25 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool same_place(const std::string& a, const std::string& b) {
-  std::error_code error;
-  if (fs::equivalent(a, b, error)) return true;
-  return fs::weakly_canonical(fs::absolute(a), error) == fs::weakly_canonical(fs::absolute(b), error);
-}
-
-/// Devices and standard output may be written by several, /dev/null above all.
-bool is_regular(const std::string& path) {
-  std::error_code error;
-  return path != "-" && (!fs::exists(path, error) || !fs::is_other(path, error));
-}
-
 }  // namespace
 
-void make_run_folder(OutputOptions& options) {
-  if (options.folder.empty()) return;
-  io::make_folder(options.folder);
-  if (options.csv.empty()) options.csv = (fs::path(options.folder) / "headings.csv").string();
+void make_run_folder(const OutputOptions& options) {
+  if (!options.folder.empty()) io::make_folder(options.folder);
 }
 
-void check_outputs(const OutputOptions& options, const std::vector<std::string>& inputs) {
-  const std::vector<std::pair<const char*, const std::string*>> outputs{{"--csv", &options.csv},
-                                                                        {"--jsonl", &options.jsonl},
-                                                                        {"--video", &options.video},
-                                                                        {"--frames", &options.frames_folder},
-                                                                        {"--report", &options.report}};
+void check_outputs(OutputOptions& options, FileUses& uses) {
+  if (!options.folder.empty() && options.csv.empty())
+    options.csv = (fs::path(options.folder) / "headings.csv").string();
   if (options.csv == "-" && options.jsonl == "-") {
     throw CLI::ValidationError("--jsonl", "standard output is taken by --csv");
   }
-  for (auto a = outputs.begin(); a != outputs.end(); ++a) {
-    if (a->second->empty() || !is_regular(*a->second)) continue;
-    for (auto b = outputs.begin(); b != a; ++b) {
-      if (!b->second->empty() && same_place(*a->second, *b->second)) {
-        throw CLI::ValidationError(a->first, *a->second + " is taken by " + b->first);
-      }
-    }
-    for (const std::string& input : inputs) {
-      if (same_place(*a->second, input)) {
-        throw CLI::ValidationError(a->first, *a->second + " is an input; it would be written over");
-      }
-    }
-  }
+  uses.writes_into("--out", options.folder, {"headings.csv", "settings.yaml", "made_by.json", "camera.yaml"});
+  uses.writes_pictures_into("--frames", options.frames_folder);
+  uses.writes("--csv", options.csv);
+  uses.writes("--jsonl", options.jsonl);
+  uses.writes("--video", options.video);
+  uses.writes("--frames", options.frames_folder);
+  uses.writes("--report", options.report);
 }
 
 RunOutputs::RunOutputs(const OutputOptions& options, double video_rate_hz) : options_(options) {

@@ -9,6 +9,7 @@
 #include "adit/io/output_file.hpp"
 #include "adit/io/table.hpp"
 #include "adit/io/video_file.hpp"
+#include "file_uses.hpp"
 #include "parts.hpp"
 
 namespace adit::tools {
@@ -26,12 +27,12 @@ struct OutputOptions {
   [[nodiscard]] bool wants_pictures() const { return !video.empty() || !frames_folder.empty(); }
 };
 
-/// Makes `folder`, if one is asked for, and puts the table there unless it has a place of its own.
-/// @throws io::OutputError
-void make_run_folder(OutputOptions& options);
+/// Makes `folder`, if one is asked for. @throws io::OutputError
+void make_run_folder(const OutputOptions& options);
 
-/// Refuses outputs that would overwrite each other or an input. @throws CLI::ValidationError
-void check_outputs(const OutputOptions& options, const std::vector<std::string>& inputs);
+/// Puts the table into `folder` unless it has a place of its own. Refuses outputs that would overwrite each other or
+/// what is read. @throws CLI::ValidationError
+void check_outputs(OutputOptions& options, FileUses& uses);
 
 class RunOutputs {
  public:

@@ -10,6 +10,7 @@
 #include "adit/io/image_file.hpp"
 #include "finder_options.hpp"
 #include "interrupt.hpp"
+#include "number_in.hpp"
 #include "progress.hpp"
 #include "sequence_pilot.hpp"
 #include "subcommands.hpp"
@@ -146,13 +147,13 @@ void add_view(CLI::App& app, ExitCode& exit_code) {
   add_finder_options(*view, options->finder);
   view->add_option("--fps", options->source.images_hz, "Frames a second of images (30)")
       ->type_name("HZ")
-      ->check(CLI::Range(0.001, 10000.0));
+      ->check(NumberIn(0.001, 10000.0));
   view->add_flag("--loop", options->loop, "Begin again at the end");
   view->add_option("--listen", options->address.host, "Address to listen on (127.0.0.1); others get a token")
       ->type_name("ADDRESS");
   view->add_option("--port", options->address.port, "Of the page (any that is free)")
       ->type_name("N")
-      ->check(CLI::Range(1, 65535));
+      ->check(NumberIn(1, 65535));
   view->footer("Example: adit view data/clip.avi --loop");
   view->callback([options, &exit_code] { exit_code = run(*options); });
 }

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <fstream>
 #include <opencv2/videoio.hpp>
+#include <opencv2/videoio/registry.hpp>
 #include <utility>
 
 #include "adit/io/errors.hpp"
@@ -39,6 +40,8 @@ bool is_text(const std::filesystem::path& path) {
 cv::VideoCapture open_capture(const std::filesystem::path& path) {
   cv::VideoCapture capture;
   for (const int reader : {cv::CAP_FFMPEG, cv::CAP_GSTREAMER, cv::CAP_OPENCV_MJPEG}) {
+    // It writes on the terminal about files that FFmpeg has refused already.
+    if (reader == cv::CAP_OPENCV_MJPEG && cv::videoio_registry::hasBackend(cv::CAP_FFMPEG)) continue;
     try {
       if (capture.open(path.string(), reader)) break;
     } catch (const cv::Exception&) {  // this reader is not built in

@@ -69,6 +69,8 @@ std::string on_one_line(std::string_view text, std::size_t longest) {
 
 std::string in_quotes(std::string_view text) { return std::string("'").append(on_one_line(text)).append("'"); }
 
+constexpr std::size_t kListedMost = 20, kNearest = 4;
+
 std::string hint_for(std::string_view name, const std::vector<std::string>& known) {
   const auto distance = [name](const std::string& k) { return begins(name, k) ? 1 : edits_between(name, k); };
   const auto nearest = std::min_element(known.begin(), known.end(), [&](const std::string& a, const std::string& b) {
@@ -76,6 +78,14 @@ std::string hint_for(std::string_view name, const std::vector<std::string>& know
   });
   if (nearest != known.end() && distance(*nearest) <= std::max<std::size_t>(2, nearest->size() / 3)) {
     return "; did you mean " + in_quotes(*nearest) + "?";
+  }
+  if (known.size() > kListedMost) {  // a line is to be read, not searched
+    std::vector<std::string> near = known;
+    std::stable_sort(near.begin(), near.end(),
+                     [&](const std::string& a, const std::string& b) { return distance(a) < distance(b); });
+    std::string list = "; the nearest are: ";
+    for (std::size_t i = 0; i < kNearest; ++i) list += (i == 0 ? "" : ", ") + near[i];
+    return list + "; 'adit config' prints all";
   }
   std::string list = "; known are: ";
   for (std::size_t i = 0; i < known.size(); ++i) list += (i == 0 ? "" : ", ") + known[i];

@@ -72,7 +72,8 @@ class AssimpReader {
   std::string reason() const {
     std::string text = importer_.GetErrorString();
     std::replace(text.begin(), text.end(), '\n', ' ');
-    return "cannot be read as a mesh: " + (text.empty() ? "broken file" : text);
+    return "cannot be read as a mesh: " + (text.empty() ? "broken file" : text) +
+           " Is it whole? Export or copy it again.";
   }
 
   void add_materials(const aiScene& scene) {

@@ -39,7 +39,8 @@ class IncludeCutter {
 
   std::string cut() {
     if (document_.LoadFile(path_.c_str()) != tinyxml2::XML_SUCCESS)
-      throw WorldError(fmt::format("{}:{}: broken XML ({})", path_, document_.ErrorLineNum(), short_name_of_error()));
+      throw WorldError(fmt::format("{}:{}: broken XML ({}); mend it there or export the world again", path_,
+                                   document_.ErrorLineNum(), short_name_of_error()));
     tinyxml2::XMLElement* root = document_.RootElement();
     if (root == nullptr || std::string_view(root->Name()) != "sdf")
       throw WorldError(fmt::format("{}:1: begins with <{}>; an SDF file begins with <sdf version=...>", path_,

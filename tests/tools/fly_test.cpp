@@ -105,6 +105,13 @@ TEST(Fly, AnInterruptedFlightIsWhole) {
     EXPECT_EQ(entry.path().string().find(".part"), std::string::npos) << entry.path();
 }
 
+TEST(Fly, ManyThatAreInterruptedBeforeTheFirstIsDoneSaySo) {
+  const Outcome outcome =
+      run_adit(short_flight("600", {"--runs", "2", "--set", "stuck_radius_m=0.1"}), {.signal = 2, .delay_ms = 3000});
+  EXPECT_EQ(outcome.exit_code, 130) << outcome.err;
+  EXPECT_TRUE(outcome.err.starts_with("adit: interrupted after 0 of 2 flights")) << outcome.err;
+}
+
 TEST(Fly, FaultsAreOneLineAndNameWhatIsWrong) {
   const struct {
     std::vector<std::string> arguments;
@@ -116,7 +123,14 @@ TEST(Fly, FaultsAreOneLineAndNameWhatIsWrong) {
       {{"fly", "s_bend", "--set", "speed_ms=1"}, 3, "did you mean 'speed_m_s'"},
       {{"fly", "s_bend", "--set", "forward_m=0"}, 3, "name the section"},
       {{"fly", "s_bend", "--set", "speed_m_s=-1"}, 3, "out of range"},
-      {{"fly", "s_bend", "--lamp", "candle"}, 3, "flood_460lux"},
+      {{"fly", "s_bend", "--lamp", "candle"}, 2, "flood_460lux"},
+      {{"fly", "s_bend", "--prefer", "up"}, 2, "--prefer: up not in"},
+      {{"fly", "s_bend", "--prefer", "left", "--method", "paper"}, 2, "pilot=navigator"},
+      {{"fly", "s_bend", "--dust", "nan"}, 2, "--dust: 'nan'"},
+      {{"fly", "s_bend", "--speed", "nan"}, 2, "--speed: 'nan'"},
+      {{"fly", "s_bend", "--time", "inf"}, 2, "--time: 'inf'"},
+      {{"fly", "s_bend", "--start", "nan,0,0,0"}, 2, "--start: 'nan'"},
+      {{"fly", "s_bend", "--start", "500,0,0,0", "--set", "course.cell_m=0.3"}, 3, "no rock beneath or around"},
       {{"fly", "s_bend", "--video"}, 2, "--out"},
       {{"fly", "--set", "speed_m_s=1", "nowhere"}, 4, "nowhere"},
       {{"fly", "s_bend", "--seeds", "9..3"}, 2, "A..B"},

@@ -31,6 +31,7 @@ TEST(Help, EveryPageFitsOneScreenAndEndsWithAnExample) {
     const auto lines = lines_of(help.out);
     EXPECT_LE(lines.size(), 36u) << arguments[0];
     for (const std::string& line : lines) EXPECT_LE(line.size(), 100u) << line;
+    EXPECT_EQ(help.out.find("\n\n\n"), std::string::npos) << arguments[0] << ": two blank lines";
     ASSERT_FALSE(lines.empty());
     EXPECT_TRUE(lines.back().starts_with("Example: adit ")) << lines.back();
   }
@@ -91,6 +92,9 @@ TEST(Help, WrongUsageIsOneLineAndTwo) {
                                              {"run", "x.png", "--jobs", "0"},
                                              {"run", "x.png", "--jobs", "two"},
                                              {"run", "x.png", "--fps", "0"},
+                                             {"run", "x.png", "--fps", "nan"},
+                                             {"bench", "--seconds", "nan"},
+                                             {"bench", "--target", "foo"},
                                              {"run", "x.png", "--limit", "-1"},
                                              {"run", "x.png", "--method", "magic"},
                                              {"run", "x.png", "--csv", "-", "--jsonl", "-"},

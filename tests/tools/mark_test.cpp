@@ -200,6 +200,9 @@ TEST(Mark, FaultsAreOneLine) {
       {{(folder / "none.png").string()}, 4, "no such file"},
       {{make_clip(folder / "c.avi", 3)}, 4, "c.avi: a video"},
       {{image, "--out", broken}, 4, "broken.json"},
+      {{image, "--out", (folder / "nosuch/m.json").string()}, 6, "nosuch"},
+      {{truncate_copy(image, folder / "cut.png", 0.5).string()}, 4, "cut.png: "},
+      {{image, "--out", image}, 2, "(IMAGES)"},
   };
   for (const auto& fault : faults) {
     std::vector<std::string> arguments{"mark"};

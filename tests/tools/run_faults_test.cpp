@@ -89,8 +89,30 @@ TEST(RunFaults, ConfigurationsAndCalibrations) {
   refused("--config", bad, bad + ":2: omega: 1.5 is out of range");
   refused("--config", "none.yaml", "none.yaml: no such file");
   refused("--set", "omega=x", "--set omega=x: omega: 'x' is not a number");
+  const Outcome unknown = run_adit({"run", image, "--set", "nosuch=1"});
+  EXPECT_EQ(unknown.exit_code, 3);
+  EXPECT_LT(unknown.err.size(), 250u) << "the nearest few, not all";
+  EXPECT_NE(unknown.err.find("'adit config'"), std::string::npos) << unknown.err;
   refused("--camera", bad, bad + ":1: image_width: missing");
   refused("--camera", "none.yaml", "none.yaml: no such file");
+}
+
+TEST(RunFaults, ALampThatWasNotLearntIsNoSuccess) {
+  const ScratchFolder folder;
+  const Outcome outcome =
+      run_adit({"run", make_passage(folder / "a.png"), "--learn-lamp", "lamp.yaml"}, {.folder = folder.path()});
+  EXPECT_EQ(outcome.exit_code, 6) << outcome.err;
+  EXPECT_NE(outcome.err.find("lamp.yaml: not written"), std::string::npos) << outcome.err;
+  EXPECT_FALSE(std::filesystem::exists(folder / "lamp.yaml"));
+}
+
+TEST(RunFaults, NobodyButAditSpeaks) {
+  const ScratchFolder folder;
+  const std::string cut = truncate_copy(make_clip(folder / "c.avi", 20), folder / "cut.avi", 0.02).string();
+  const Outcome outcome = run_adit({"run", cut});
+  EXPECT_NE(outcome.exit_code, 0);
+  for (const std::string& line : lines_of(outcome.err))
+    EXPECT_TRUE(line.starts_with("adit: ") || line.find(" frames") != std::string::npos) << line;
 }
 
 TEST(RunFaults, CameraOfAnotherSizeIsToldOnce) {

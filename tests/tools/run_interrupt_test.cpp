@@ -48,4 +48,11 @@ void expect_clean_end(int signal) {
 TEST(RunInterrupt, CtrlCEndsCleanly) { expect_clean_end(SIGINT); }
 TEST(RunInterrupt, KillEndsCleanly) { expect_clean_end(SIGTERM); }
 
+TEST(RunInterrupt, BenchSaysSo) {
+  const Outcome outcome = run_adit({"bench", "--seconds", "600"}, {.signal = SIGINT, .delay_ms = 3000});
+  EXPECT_EQ(outcome.exit_code, 130);
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_TRUE(outcome.err.starts_with("adit: interrupted after ")) << outcome.err;
+}
+
 }  // namespace

@@ -6,6 +6,9 @@
 #include <fstream>
 
 #include "adit/sim/course.hpp"
+#include "adit/sim/course_fields.hpp"
+#include "adit/sim/flight_fields.hpp"
+#include "adit/sim/rig_fields.hpp"
 #include "adit/sim/world_error.hpp"
 
 namespace adit::sim {
@@ -27,6 +30,23 @@ std::string error_of(const std::string& text) {
 }
 
 constexpr const char* kPassages = "passages:\n  - {to: a, end: mouth, moves: [{straight_m: 10}]}\n";
+
+/// docs/simulation.md promises it.
+template <class Config>
+void expect_sources() {
+  Config config;
+  visit_fields(config, [](const FieldNote& note, const auto&) {
+    EXPECT_GT(std::string(note.source).size(), 2u) << note.name << " has no source";
+  });
+}
+
+TEST(Fields, EachHasASource) {
+  expect_sources<CourseConfig>();
+  expect_sources<RenderConfig>();
+  expect_sources<SensorConfig>();
+  expect_sources<VehicleConfig>();
+  expect_sources<FlightConfig>();
+}
 
 TEST(CourseFile, ReadsFieldsAndMoves) {
   const CourseConfig config = read_course(written(std::string("width_m: 6.5\nseed: 7\n") + kPassages));

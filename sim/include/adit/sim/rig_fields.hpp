@@ -172,10 +172,18 @@ void visit_fields(Config& c, Visitor&& visit) {
   visit(FieldNote{"indirect_clamp_m", "m", 0.05, 10, "Virtual lights come no closer than this.",
                   "a fifth of a passage's width"},
         c.indirect_clamp_m);
-  visit(FieldNote{"shadows", "", 0, 1, "Whether lamps cast shadows.", ""}, c.shadows);
-  visit(FieldNote{"facets", "", 0, 1, "Facets and patches finer than the mesh.", ""}, c.facets);
-  visit(FieldNote{"motion_blur", "", 0, 1, "Blur along the flow within the exposure.", ""}, c.motion_blur);
-  visit(FieldNote{"sensor_noise", "", 0, 1, "Photon, read, row and pattern noise.", ""}, c.sensor_noise);
+  visit(
+      FieldNote{"shadows", "", 0, 1, "Whether lamps cast shadows.", "chosen: rock casts them; off to see what they do"},
+      c.shadows);
+  visit(
+      FieldNote{"facets", "", 0, 1, "Facets and patches finer than the mesh.", "chosen: rock has them; off for speed"},
+      c.facets);
+  visit(FieldNote{"motion_blur", "", 0, 1, "Blur along the flow within the exposure.",
+                  "chosen: cameras have it; off to see frames without"},
+        c.motion_blur);
+  visit(FieldNote{"sensor_noise", "", 0, 1, "Photon, read, row and pattern noise.",
+                  "chosen: cameras have it; off for closed forms in tests"},
+        c.sensor_noise);
   visit(
       FieldNote{"foreign_red", "", 0.1, 3, "Red of lamps in the world, relative to green.", "halogen and sodium: warm"},
       c.foreign_red);

@@ -205,7 +205,7 @@ void add_gz(CLI::App& app, ExitCode& exit_code) {
   gz->add_option("--speed", options->speed_m_s, "Forward speed (0.2)")->type_name("M/S")->check(NumberIn(0.0, 10.0));
   gz->add_option("--pilot", options->pilot, "by_method, published or navigator (by_method)")->type_name("NAME");
   gz->add_flag("--recorded", options->is_recorded,
-               "The camera does not go where the commands send it: what is played is a recording");
+               "The camera does not follow the commands: what is played is a recording");
   add_finder_options(*gz, options->finder);
   gz->add_option("--csv", options->csv, "Table of the answers, as adit run makes it")->type_name("FILE");
   gz->add_option("--limit", options->limit, "End after so many frames")

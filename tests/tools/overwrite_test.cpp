@@ -18,6 +18,7 @@ class Overwrite : public ::testing::Test {
     fs::copy(scratch_ / "im/frame0.png", scratch_ / "S/f.png");
     write_text(scratch_ / "S/openings.json", R"({"openings": {"f.png": [[80, 90, 120, 130]]}})");
     write_text(scratch_ / "c.yaml", "finder:\n  omega: 0.9\n");
+    write_text(scratch_ / "t.csv", "source,u_px,v_px\nf.png,100,110\n");
     fs::create_symlink("a.png", scratch_ / "link.png");
     fs::create_hard_link(scratch_ / "c.yaml", scratch_ / "hard.csv");
   }
@@ -67,7 +68,7 @@ TEST_F(Overwrite, OthersThatJudge) {
   expect_refused({"eval", "S", "--json", "S/openings.json"}, "--json: S/openings.json", "(DATASET)");
   expect_refused({"eval", "S", "--csv", "S/f.png"}, "--csv: S/f.png", "(DATASET)");
   expect_refused({"eval", "S", "--gallery", "S"}, "--gallery: S", "DATASET");
-  expect_refused({"eval", "S", "--table", "t=c.yaml", "--csv", "c.yaml"}, "--csv: c.yaml", "(--table)");
+  expect_refused({"eval", "S", "--table", "t=t.csv", "--csv", "t.csv"}, "--csv: t.csv", "(--table)");
 }
 
 TEST_F(Overwrite, WhatIsMadeOfRunsAndParts) {
@@ -80,6 +81,7 @@ TEST_F(Overwrite, WhatIsMadeOfRunsAndParts) {
 
 #ifdef ADIT_WITH_SIM
 TEST_F(Overwrite, Simulation) {
+  fs::create_directory(scratch_ / "d");
   write_text(scratch_ / "d/settings.yaml", "dust:\n");
   write_text(scratch_ / "w.world", "<sdf/>");
   write_text(scratch_ / "p.csv", "x_m,y_m,z_m\n");

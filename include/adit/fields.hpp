@@ -109,7 +109,7 @@ void visit_fields(Config& c, Visitor&& visit) {
       c.horizon_floor);
   visit(FieldNote{"way_odds_min", "", -20, 20,
                   "no_opening when the odds of a way on against a wall are less: natural logarithm. Method adit.",
-                  "docs/method.md: one open frame in fifty is refused there"},
+                  "docs/method.md: about one open frame in forty is refused there"},
         c.way_odds_min);
   visit(FieldNote{"dust_veil_min", "", 0, 1,
                   "Share of the light that is veil from which on the air is dusty. Method adit.",

@@ -102,7 +102,7 @@ enum class Rule : std::uint8_t {
   kDarkestCluster,  ///< method `paper`: centroid of the darkest cluster
   kEnclosed,        ///< method `adit`: the dark place that lit rock encloses best
   kOpenSided,       ///< method `adit`: a dark place that runs out of the frame, lit rock on the sides that are seen
-  kVeil,            ///< method `adit`, dust: where the air alone is seen, near axis and horizon; a coarse heading
+  kVeil,            ///< method `adit`, dust: the middle of the air, where rock adds least to the veil
   kFlash,           ///< method `adit`, pairs of frames: dark in the difference of lamp on and lamp off
 };
 inline constexpr int kRuleCount = 6;

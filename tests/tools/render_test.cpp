@@ -160,8 +160,8 @@ TEST(Render, FaultsAreOneLineAndNameWhatIsWrong) {
   for (const auto& fault : faults) {
     std::vector<std::string> arguments = {"render"};
     arguments.insert(arguments.end(), fault.arguments.begin(), fault.arguments.end());
-    if (fault.arguments.size() > 2 && fault.says != "width" && fault.says != "WIDTHxHEIGHT")
-      arguments.insert(arguments.end(), coarse.begin(), coarse.end());
+    const bool has_size = std::find(fault.arguments.begin(), fault.arguments.end(), "--size") != fault.arguments.end();
+    if (fault.arguments.size() > 2 && !has_size) arguments.insert(arguments.end(), coarse.begin(), coarse.end());
     arguments.push_back("--quiet");
     const Outcome outcome = run_adit(arguments, {.folder = folder.path()});
     EXPECT_EQ(outcome.exit_code, fault.exit_code) << fault.says << ": " << outcome.err;

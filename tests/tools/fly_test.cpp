@@ -96,8 +96,9 @@ TEST(Fly, ManySeedsGiveATableAndARate) {
 
 TEST(Fly, AnInterruptedFlightIsWhole) {
   const ScratchFolder folder;
-  const Outcome outcome = run_adit(short_flight("600", {"--out", "flight", "--set", "stuck_radius_m=0.1"}),
-                                   {.folder = folder.path(), .signal = 2, .delay_ms = 3000});
+  const Outcome outcome =
+      run_adit(short_flight("600", {"--out", "flight", "--speed", "0.2", "--set", "stuck_radius_m=0.1"}),
+               {.folder = folder.path(), .signal = 2, .delay_ms = 3000});
   EXPECT_EQ(outcome.exit_code, 130) << outcome.err;
   const auto json = nlohmann::json::parse(read_text(folder / "flight/summary.json"));
   EXPECT_EQ(json["outcome"], "interrupted");
@@ -107,7 +108,8 @@ TEST(Fly, AnInterruptedFlightIsWhole) {
 
 TEST(Fly, ManyThatAreInterruptedBeforeTheFirstIsDoneSaySo) {
   const Outcome outcome =
-      run_adit(short_flight("600", {"--runs", "2", "--set", "stuck_radius_m=0.1"}), {.signal = 2, .delay_ms = 3000});
+      run_adit(short_flight("600", {"--runs", "2", "--speed", "0.2", "--set", "stuck_radius_m=0.1"}),
+               {.signal = 2, .delay_ms = 3000});
   EXPECT_EQ(outcome.exit_code, 130) << outcome.err;
   EXPECT_TRUE(outcome.err.starts_with("adit: interrupted after 0 of 2 flights")) << outcome.err;
 }

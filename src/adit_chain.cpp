@@ -55,6 +55,12 @@ void aim(Pixel centroid_px, const Camera& camera, Opening& to) noexcept {
   to.bearing = camera.bearing_of(centroid_px);
 }
 
+/// a * b / 256, downwards. Both below 4096; unsigned and in sixteen bits, so that it becomes vector code.
+std::uint16_t product_256th(std::uint16_t a, std::uint16_t b) noexcept {
+  const auto wide = static_cast<std::uint32_t>(static_cast<std::uint16_t>(a << 4)) * static_cast<std::uint16_t>(b << 4);
+  return static_cast<std::uint16_t>(wide >> 16);
+}
+
 /// What the answer repeats of its best opening.
 void note_best(Rule rule, OpenSpace& out) noexcept {
   const Opening& best = out.openings[0];
@@ -233,12 +239,6 @@ void AditChain::note_way_through_dust(const Camera& camera, const VeilSight& vei
   to.score = 0.05;
   to.contrast = veil.rock_high / (1.0 + veil.rock_high);
   note_extent(camera, to);
-}
-
-/// a * b / 256, downwards. Both below 4096; unsigned and in sixteen bits, so that it becomes vector code.
-std::uint16_t product_256th(std::uint16_t a, std::uint16_t b) noexcept {
-  const auto wide = static_cast<std::uint32_t>(static_cast<std::uint16_t>(a << 4)) * static_cast<std::uint16_t>(b << 4);
-  return static_cast<std::uint16_t>(wide >> 16);
 }
 
 void AditChain::weigh(bool by_cusp) noexcept {

@@ -6,6 +6,8 @@
 #include <span>
 #include <stdexcept>
 
+#include "share_gone.hpp"
+
 namespace adit {
 namespace {
 
@@ -24,8 +26,6 @@ constexpr double kTrustLag_s = 0.5;
 constexpr double kTrusted = 0.5;  // an opening that is right every other time is worth full speed: the ranges see walls
 constexpr double kDoubtScale = 0.5;
 constexpr double kAssumedSpeed_m_s = 1.0;  // where the caller does not say how fast it is
-
-double share_gone(double time_s, double lag_s) noexcept { return lag_s > 0.0 ? -std::expm1(-time_s / lag_s) : 1.0; }
 
 /// The navigator looks at rock: where there is light but no opening, it still can turn and come out.
 bool is_usable(Status status) noexcept {

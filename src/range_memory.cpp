@@ -4,6 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "share_gone.hpp"
+
 namespace adit {
 namespace {
 
@@ -14,8 +16,6 @@ constexpr double kKeepEach_rad = 0.06;
 constexpr double kBehind_m = 2.0;    // further behind, a wall is no longer in any way
 constexpr float kSeenShare = 0.8f;   // of range_max: further away it is the end of sight, not rock
 constexpr std::size_t kEdgeBin = 1;  // the outermost bin may be cut by the lens's edge
-
-double share_gone(double time_s, double lag_s) noexcept { return lag_s > 0.0 ? -std::expm1(-time_s / lag_s) : 1.0; }
 
 }  // namespace
 

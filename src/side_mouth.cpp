@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+
+#include "share_gone.hpp"
 
 namespace adit {
 namespace {
@@ -59,7 +60,7 @@ void SideMouth::watch(double beside_m, double forward_m) noexcept {
   }
   gone_m_ = 0.0;
   if (!(wall_m_ > 0.0)) wall_m_ = beside_m;
-  wall_m_ += -std::expm1(-forward_m / kWallLag_m) * (beside_m - wall_m_);
+  wall_m_ += share_gone(forward_m, kWallLag_m) * (beside_m - wall_m_);
   known_m_ += forward_m;
 }
 

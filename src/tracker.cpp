@@ -4,13 +4,13 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "share_gone.hpp"
+
 namespace adit {
 namespace {
 
 constexpr double kScoreLost = 0.03;  // a track that has fallen to this is forgotten
 constexpr double kScoreNew = 0.2;    // share of its score that an opening brings at first sight
-
-double share_gone(double time_s, double lag_s) noexcept { return lag_s > 0.0 ? -std::expm1(-time_s / lag_s) : 1.0; }
 
 /// `paper` fills in no score.
 double worth_of(const Opening& opening) noexcept {

@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "adit/io/errors.hpp"
-#include "adit/io/frame_source.hpp"
+#include "adit/io/image_file.hpp"
 #include "finder_options.hpp"
 
 namespace adit::tools {
@@ -31,20 +31,12 @@ std::string identity_of(const fs::path& path) {
   return std::to_string(entry.st_dev).append(":").append(std::to_string(entry.st_ino));
 }
 
-bool is_image(const fs::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  static constexpr const char* kImages[] = {".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff", ".pgm", ".ppm"};
-  return std::find(std::begin(kImages), std::end(kImages), extension) != std::end(kImages);
-}
-
 /// What a pattern that no shell has expanded stands for; else the input itself.
 std::vector<std::string> expanded(const std::string& input) {
   std::vector<std::string> paths;
   std::error_code error;
   glob_t found{};
-  if (!fs::exists(input, error) && ::glob(input.c_str(), GLOB_NOSORT, nullptr, &found) == 0)
+  if (!fs::exists(input, error) && ::glob(input.c_str(), GLOB_NOSORT | GLOB_BRACE, nullptr, &found) == 0)
     paths.assign(found.gl_pathv, found.gl_pathv + found.gl_pathc);
   ::globfree(&found);
   if (paths.empty()) paths.push_back(input);
@@ -80,13 +72,13 @@ void FileUses::reads_frames(const std::string& name, const std::vector<std::stri
       if (!fs::is_directory(path, error)) {
         reads(name, path);
         const fs::path parent = fs::path(path).parent_path();
-        if (is_image(path))
+        if (io::is_image_name(path))
           folders_of_images_.try_emplace(identity_of(parent.empty() ? fs::path(".") : parent), Use{name, path});
         continue;
       }
       folders_.try_emplace(identity_of(path), Use{name, path});
       for (const auto& entry : fs::directory_iterator(path, error))
-        if (is_image(entry.path())) reads(name, entry.path());
+        if (io::is_image_name(entry.path())) reads(name, entry.path());
     }
 }
 

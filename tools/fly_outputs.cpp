@@ -9,6 +9,7 @@
 
 #include "adit/io/draw.hpp"
 #include "adit/io/errors.hpp"
+#include "adit/io/image_file.hpp"
 #include "adit/io/output_file.hpp"
 #include "adit/io/table.hpp"
 #include "csv_cell.hpp"
@@ -61,12 +62,6 @@ std::filesystem::path made(const std::filesystem::path& folder) {
 }
 
 }  // namespace
-
-cv::Mat mat_of(const ImageView& view) {
-  const int type = view.format == PixelFormat::kGrey8 ? CV_8UC1 : CV_8UC3;
-  return {view.height, view.width, type, const_cast<std::uint8_t*>(view.data),
-          static_cast<std::size_t>(view.stride_bytes)};
-}
 
 std::string flight_csv_header() {
   return "frame,stamp_s,x_m,y_m,z_m,roll_deg,pitch_deg,yaw_deg,vx_m_s,vy_m_s,vz_m_s,height_m,delivery,status,"
@@ -194,7 +189,7 @@ void FlyOutputs::draw(const sim::Flight& flight) {
   if ((!film_ && !still) || flight.frame().data == nullptr) return;
   StageImages stages;
   const OpenSpace seen = explainer_.explain(flight.frame(), stages);
-  const cv::Mat picture = io::side_by_side(mat_of(flight.frame()), seen, stages, flight.row().command);
+  const cv::Mat picture = io::side_by_side(io::mat_of(flight.frame()), seen, stages, flight.row().command);
   if (film_) film_->write(picture);
   if (!still) return;
   char name[48];

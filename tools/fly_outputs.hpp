@@ -20,9 +20,6 @@ namespace adit::tools {
 /// Reals have a fixed number of digits; numbers that do not exist are empty.
 [[nodiscard]] std::string flight_csv_line(const sim::FlightRow& row);
 
-/// Wraps the pixels of a flight's frame.
-[[nodiscard]] cv::Mat mat_of(const ImageView& view);
-
 /// What summary.json says beside the figures of the flight.
 struct SummaryContext {
   std::string world;

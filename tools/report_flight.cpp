@@ -1,5 +1,6 @@
 #include "report_flight.hpp"
 
+#include "adit/io/image_file.hpp"
 #include "eval_csv.hpp"
 #include "fly_outputs.hpp"
 #include "report_figures.hpp"
@@ -22,7 +23,7 @@ void FlightReport::add(const sim::Flight& flight) {
   if (!report_.pictures.frames.wants(row) || flight.frame().data == nullptr) return;
   StageImages stages;
   const OpenSpace seen = explainer_.explain(flight.frame(), stages);
-  const cv::Mat frame = mat_of(flight.frame());
+  const cv::Mat frame = io::mat_of(flight.frame());
   report_.pictures.add(row, frame.size(), shot_of(frame, seen, stages, flight.settings().finder));
 }
 

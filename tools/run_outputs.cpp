@@ -7,11 +7,8 @@
 #include "adit/io/errors.hpp"
 
 namespace adit::tools {
-namespace {
 
 namespace fs = std::filesystem;
-
-}  // namespace
 
 void make_run_folder(const OutputOptions& options) {
   if (!options.folder.empty()) io::make_folder(options.folder);

@@ -7,6 +7,7 @@
 #include <opencv2/imgproc.hpp>
 #include <thread>
 
+#include "adit/io/image_file.hpp"
 #include "fly_outputs.hpp"
 #include "interrupt.hpp"
 #include "progress.hpp"
@@ -83,7 +84,7 @@ FlightView::FlightView(const std::string& name, const FlySettings& settings, con
 void FlightView::add(const sim::Flight& flight) {
   if (flight.frame().data == nullptr) return;
   const sim::FlightRow& row = flight.row();
-  live_.show({mat_of(flight.frame()).clone(), cv::Mat(), row.stamp_s, flight.open_space(), row.command,
+  live_.show({io::mat_of(flight.frame()).clone(), cv::Mat(), row.stamp_s, flight.open_space(), row.command,
               LivePose{row.vehicle.place.x(), row.vehicle.place.y(), row.vehicle.yaw_rad}, row.speed_scale});
 }
 

@@ -6,8 +6,8 @@
 
 #include <algorithm>
 #include <opencv2/imgcodecs.hpp>
-#include <opencv2/imgproc.hpp>
 
+#include "adit/io/image_file.hpp"
 #include "adit/node/image_message.hpp"
 
 namespace adit::io {
@@ -18,20 +18,8 @@ constexpr const char* kCompressed = "sensor_msgs/CompressedImage";
 
 /// A copy in OpenCV's order of colours, as image files are read.
 cv::Mat copied(const ImageView& view) {
-  const int type = view.format == PixelFormat::kGrey8    ? CV_8UC1
-                   : view.format == PixelFormat::kGrey16 ? CV_16UC1
-                   : bytes_per_pixel(view.format) == 3   ? CV_8UC3
-                                                         : CV_8UC4;
-  const cv::Mat shared(view.height, view.width, type, const_cast<std::uint8_t*>(view.data),
-                       static_cast<std::size_t>(view.stride_bytes));
-  cv::Mat copy;
-  if (view.format == PixelFormat::kRgb8)
-    cv::cvtColor(shared, copy, cv::COLOR_RGB2BGR);
-  else if (view.format == PixelFormat::kRgba8)
-    cv::cvtColor(shared, copy, cv::COLOR_RGBA2BGRA);
-  else
-    copy = shared.clone();
-  return copy;
+  const cv::Mat pixels = mat_of(view);
+  return pixels.data == view.data ? pixels.clone() : pixels;
 }
 
 void take(const sensor_msgs::Image& m, BagImage& image) {

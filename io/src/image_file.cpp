@@ -4,6 +4,7 @@
 #include <array>
 #include <cctype>
 #include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
 #include <string>
 
 #include "adit/io/errors.hpp"
@@ -80,6 +81,19 @@ ImageView view_of(const cv::Mat& image) noexcept {
   view.height = image.rows;
   view.stride_bytes = static_cast<std::ptrdiff_t>(image.step[0]);
   return view;
+}
+
+cv::Mat mat_of(const ImageView& view) {
+  const int type = view.format == PixelFormat::kGrey8    ? CV_8UC1
+                   : view.format == PixelFormat::kGrey16 ? CV_16UC1
+                   : bytes_per_pixel(view.format) == 3   ? CV_8UC3
+                                                         : CV_8UC4;
+  cv::Mat mat(view.height, view.width, type, const_cast<std::uint8_t*>(view.data),
+              static_cast<std::size_t>(view.stride_bytes));
+  if (view.format != PixelFormat::kRgb8 && view.format != PixelFormat::kRgba8) return mat;
+  cv::Mat turned;
+  cv::cvtColor(mat, turned, view.format == PixelFormat::kRgb8 ? cv::COLOR_RGB2BGR : cv::COLOR_RGBA2BGRA);
+  return turned;
 }
 
 }  // namespace adit::io

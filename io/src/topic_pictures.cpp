@@ -2,29 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <opencv2/imgproc.hpp>
 
 #include "adit/io/draw.hpp"
+#include "adit/io/image_file.hpp"
 
 namespace adit::io {
-namespace {
-
-/// OpenCV's order of colours; shares the pixels where that is theirs.
-cv::Mat mat_of(const ImageView& view) {
-  const int type = view.format == PixelFormat::kGrey8    ? CV_8UC1
-                   : view.format == PixelFormat::kGrey16 ? CV_16UC1
-                   : bytes_per_pixel(view.format) == 3   ? CV_8UC3
-                                                         : CV_8UC4;
-  cv::Mat mat(view.height, view.width, type, const_cast<std::uint8_t*>(view.data),
-              static_cast<std::size_t>(view.stride_bytes));
-  if (view.format != PixelFormat::kRgb8 && view.format != PixelFormat::kRgba8) return mat;
-  cv::Mat turned;
-  cv::cvtColor(mat, turned, view.format == PixelFormat::kRgb8 ? cv::COLOR_RGB2BGR : cv::COLOR_RGBA2BGRA);
-  return turned;
-}
-
-}  // namespace
-
 cv::Mat overlay_of(const ImageView& frame, const OpenSpace& open_space, const HeadingCommand& command,
                    int grey16_depth_bits) {
   cv::Mat bgr = bgr_of(mat_of(frame), grey16_depth_bits);

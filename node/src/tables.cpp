@@ -1,9 +1,8 @@
 #include "adit/node/tables.hpp"
 
-#include <charconv>
-
 #include "adit/node/launch_config.hpp"
 #include "adit/node/settings.hpp"
+#include "parameter_lists.hpp"
 
 namespace adit::node {
 namespace {
@@ -68,15 +67,10 @@ constexpr TopicNote kTopics[] = {
     {"sim", "out", "outcome", "std_msgs/String", "always", "goal, collided or timeout, with figures; latched"},
 };
 
-std::string text_of(double value) {
-  char text[32];
-  return {text, std::to_chars(text, text + sizeof text, value).ptr};
-}
-
 std::string text_of(const ParameterValue& value) {
   if (const auto* b = std::get_if<bool>(&value)) return *b ? "true" : "false";
   if (const auto* i = std::get_if<int>(&value)) return std::to_string(*i);
-  if (const auto* d = std::get_if<double>(&value)) return text_of(*d);
+  if (const auto* d = std::get_if<double>(&value)) return number_text(*d);
   return std::get<std::string>(value);
 }
 
@@ -86,7 +80,7 @@ std::string range_of(const Parameter& p) {
   if (!p.choices.empty()) return text;
   if (std::holds_alternative<bool>(p.value)) return "true, false";
   if (std::holds_alternative<std::string>(p.value)) return "text";
-  return text_of(p.minimum) + " to " + text_of(p.maximum) + (p.is_odd ? ", odd" : "");
+  return number_text(p.minimum) + " to " + number_text(p.maximum) + (p.is_odd ? ", odd" : "");
 }
 
 std::string table_of(const char* node, const char* when, const std::vector<Parameter>& parameters) {

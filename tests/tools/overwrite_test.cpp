@@ -56,6 +56,7 @@ TEST_F(Overwrite, Run) {
   expect_refused({"run", "link.png", "--report", "a.png"}, "--report", "link.png");
   expect_refused({"run", "im", "--csv", "im/frame1.png"}, "--csv", "im/frame1.png");
   expect_refused({"run", "im/*.png", "--csv", "im/frame1.png"}, "--csv", "im/frame1.png");
+  expect_refused({"run", "im/*{0,1}.png", "--csv", "im/frame1.png"}, "--csv", "im/frame1.png");
   expect_refused({"run", "im", "--frames", "im/"}, "--frames: im/", "im");
   expect_refused({"run", "im/frame0.png", "--frames", "im"}, "--frames: im", "im/frame0.png");
   expect_refused({"run", "im", "--out", "im"}, "--out: im", "im");

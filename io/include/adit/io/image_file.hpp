@@ -19,4 +19,8 @@ namespace adit::io {
 /// Wraps the pixels of a Mat of one of the types above (BGR order). An ImageView without data for any other type.
 [[nodiscard]] ImageView view_of(const cv::Mat& image) noexcept;
 
+/// The other way round: shares the pixels where their order is OpenCV's, and turns a copy of RGB and RGBA to it.
+/// @param view  of any format, with data; packed (ImageView::is_packed).
+[[nodiscard]] cv::Mat mat_of(const ImageView& view);
+
 }  // namespace adit::io

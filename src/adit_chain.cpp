@@ -299,7 +299,7 @@ void AditChain::note_openings(const FinderConfig& config, const Camera& camera, 
 }
 
 void AditChain::note_opening(const Candidate& from, const Camera& camera, Opening& to) const noexcept {
-  aim({grid_.u_px(from.u), grid_.v_px(from.v)}, camera, to);
+  aim({grid_.u_px(from.u), grid_.v_px(from.middle_v)}, camera, to);
   to.area_fraction = static_cast<double>(from.cells) / (static_cast<double>(grid_.width()) * grid_.height());
   to.score = std::min(1.0, from.strength / 4.0);
   to.contrast = 1.0 - std::exp2(-static_cast<double>(from.peak) / kStop);

@@ -13,6 +13,9 @@ constexpr int kPeakMin = kStop / 2;
 /// high has 0.2. The floor at grazing light along the foot of a wall, cables and gaps between planks are thinner.
 constexpr double kSlenderness = 0.2;
 
+/// Cells to either side of a centroid that tell the height of a place there: as many as the map is smooth over.
+constexpr double kBeside = 2.0;
+
 /// The map is smooth over two cells (it has been smoothed twice, its cells before that), so means of two by two hold
 /// all of it, for a quarter of the steps. Fewer than this many steps along the longer side would part branches badly.
 constexpr int kStepsMin = 60;
@@ -49,6 +52,7 @@ class Flood {
     length_ = length;
     out.u /= weights;
     out.v /= weights;
+    out.middle_v = middle_of_height(out);
     return out;
   }
 
@@ -80,10 +84,29 @@ class Flood {
   [[nodiscard]] View view() const noexcept {
     return {scratch_.owner.data(), scratch_.value.data(), scratch_.queue.data()};
   }
-  void add(std::int32_t cell, int value, Candidate& out, double& weights) const noexcept {
+  struct Place {
+    int u;  ///< first cell of the map under one of the search
+    int v;
+  };
+  [[nodiscard]] Place place_of(std::int32_t cell) const noexcept {
     // A product in place of the division: exact for fewer than 2^16 cells, of which the grid has half.
     const auto row = static_cast<int>((static_cast<std::uint64_t>(cell) * per_row_) >> 32);
-    const int u = (cell - row * stride_ - 1) * scratch_.step, v = (row - 1) * scratch_.step;
+    return {(cell - row * stride_ - 1) * scratch_.step, (row - 1) * scratch_.step};
+  }
+  /// Of the region just taken, about the column of its centroid: it is connected, so that it has cells there.
+  [[nodiscard]] double middle_of_height(const Candidate& of) const noexcept {
+    double rows = 0.0;
+    int count = 0;
+    for (std::size_t at = 0; at < length_; ++at) {
+      const Place place = place_of(scratch_.queue[at]);
+      if (std::abs(place.u + 0.5 * (scratch_.step - 1) - of.u) > kBeside) continue;
+      rows += 0.5 * (place.v + std::min(place.v + scratch_.step, height_) - 1);
+      ++count;
+    }
+    return rows / count;
+  }
+  void add(std::int32_t cell, int value, Candidate& out, double& weights) const noexcept {
+    const auto [u, v] = place_of(cell);
     const int last_u = std::min(u + scratch_.step, width_) - 1, last_v = std::min(v + scratch_.step, height_) - 1;
     const double depth = scratch_.depth[static_cast<std::size_t>(cell)];
     const double weight = depth * depth * depth * depth + 1.0;

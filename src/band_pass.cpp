@@ -91,6 +91,10 @@ kernels::ConstRows BandPass::at(BandPlan::Operand operand, int row) const noexce
 void BandPass::apply(const BandPlan::Step& step, int row, kernels::Rows to, int width, int rows) const noexcept {
   if (rows <= 0) return;
   if (step.window > 0) return order_.loops.best_of_window(at(step.operands[0], row), step.window, to, width, rows);
+  if (step.is_lozenge) {
+    const BandPlan::Operand upper = step.operands[0], side = step.operands[1];
+    return order_.loops.best_of_lozenge(at({0, 0}, row), upper.du, side.dv, to, width, rows);
+  }
   kernels::ConstRows from[kernels::kOperandsMax];
   for (std::size_t i = 0; i < static_cast<std::size_t>(step.count); ++i) from[i] = at(step.operands[i], row);
   const bool is_far = step.operands[0].from == BandPlan::From::kSource && !source_is_own_;

@@ -42,7 +42,8 @@ struct BandPlan {
 
     std::array<Operand, kernels::kOperandsMax> operands{};
     int count = 0;
-    int window = 0;  ///< > 0: so many rows of the one operand from dv on
+    int window = 0;           ///< > 0: so many rows of the one operand from dv on
+    bool is_lozenge = false;  ///< the operands are its upper end, its sides and its lower end
     int dv_max = 0;
     int width = 0;  ///< columns that later steps need, whole vectors
     From to = From::kMain;

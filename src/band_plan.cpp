@@ -19,7 +19,7 @@ constexpr double kLevel2Cycles = 8.0;
 /// What a window down a column costs for each vector, cycles; other steps one cycle an operand.
 constexpr double kWindowCycles = 4.0;
 /// Shorter ones are cheaper by steps.
-constexpr int kColumnWindowMin = 8;
+constexpr int kColumnWindowMin = 5;
 /// What the call of a step costs, cycles.
 constexpr double kCallCycles = 60.0;
 int rounded_up(int columns) { return static_cast<int>(AlignedBytes::rounded_up(static_cast<std::size_t>(columns))); }
@@ -104,6 +104,7 @@ std::vector<Step> folds_of(std::vector<Pair> pairs) {
         step.add(place);
       }
       step.dv_max = 2 * dv;
+      step.is_lozenge = true;
     } else {
       step.add({std::max(0, -pair.du), 0});
       step.add({std::max(0, pair.du), dv});

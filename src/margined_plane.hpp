@@ -38,16 +38,14 @@ class MarginedPlane {
     if (margin == margin_) return;
     margin_ = margin;
     const auto left = static_cast<std::size_t>(left_);
-    const auto right = static_cast<std::size_t>(pitch_ - left_ - width_);
     const auto above = static_cast<std::size_t>(reach_v_ * pitch_);
+    // The right margin of a row and the left one of the next lie side by side.
+    const auto between = static_cast<std::size_t>(pitch_ - width_);
     std::uint8_t* row = bytes_.get();
-    std::memset(row, margin, above);
-    row += above;
-    for (int v = 0; v < height_; ++v, row += pitch_) {
-      std::memset(row, margin, left);
-      std::memset(row + left_ + width_, margin, right);
-    }
     std::memset(row, margin, above + left);
+    row += above + left;
+    for (int v = 0; v < height_; ++v, row += pitch_) std::memset(row + width_, margin, between);
+    std::memset(row, margin, above);
   }
 
   [[nodiscard]] PlaneView pixels() const noexcept {

@@ -164,6 +164,84 @@ void best_of_window(ConstRows from, int length, Rows out, int width, int rows) {
   }
 }
 
+// Columns of vectors downwards. Each row's middle is the upper end of one lozenge and the lower end of another: it is
+// kept between them, as a load that lies across two lines costs as much as two.
+template <class Order, int kHalf, int kColumns>
+inline void lozenges_in_columns(ConstRows from, std::ptrdiff_t du, Rows out, int rows) {
+  constexpr int kLanes = Bytes::kLanes;
+  constexpr int kKept = 2 * kHalf;
+  Bytes kept[kKept][kColumns];
+  const std::uint8_t* middle = from.first + du;
+  for (int i = 0; i < kKept; ++i, middle += from.pitch) {
+    for (int c = 0; c < kColumns; ++c) kept[i][c] = load(middle + c * kLanes);
+  }
+  const std::uint8_t* side = from.first + kHalf * from.pitch;
+  std::uint8_t* to = out.first;
+  const auto step = [&](Bytes(&upper)[kColumns]) {
+    for (int c = 0; c < kColumns; ++c) {
+      const Bytes sides = Order::of(load(side + c * kLanes), load(side + 2 * du + c * kLanes));
+      const Bytes lower = load(middle + c * kLanes);
+      store(to + c * kLanes, Order::of(Order::of(upper[c], lower), sides));
+      upper[c] = lower;
+    }
+    side += from.pitch;
+    middle += from.pitch;
+    to += out.pitch;
+  };
+  int left = rows;
+  for (; left >= kKept; left -= kKept) {
+#pragma GCC unroll 10
+    for (int i = 0; i < kKept; ++i) step(kept[i]);
+  }
+#pragma GCC unroll 10
+  for (int i = 0; i < kKept - 1; ++i) {
+    if (i < left) step(kept[i]);
+  }
+}
+
+// A call over rows: as wide as the vectors go, the last ones pulled back to the end of the row.
+template <class Order, int kHalf>
+void lozenges(ConstRows from, int du, Rows out, int width, int rows) {
+  constexpr int kLanes = Bytes::kLanes;
+  constexpr int kWide = kHalf <= 2 ? 2 : 1;  // what is kept has room in 16 registers
+  int x = 0;
+  for (; x + kWide * kLanes <= width; x += kWide * kLanes) {
+    lozenges_in_columns<Order, kHalf, kWide>({from.first + x, from.pitch}, du, {out.first + x, out.pitch}, rows);
+  }
+  for (; x + kLanes <= width; x += kLanes) {
+    lozenges_in_columns<Order, kHalf, 1>({from.first + x, from.pitch}, du, {out.first + x, out.pitch}, rows);
+  }
+  if (x == width) return;
+  x = width - kLanes;
+  lozenges_in_columns<Order, kHalf, 1>({from.first + x, from.pitch}, du, {out.first + x, out.pitch}, rows);
+}
+
+template <class Order>
+void best_of_lozenge(ConstRows from, int du, int dv, Rows out, int width, int rows) {
+  if (width >= Bytes::kLanes && rows > 0) {
+    switch (dv) {
+      case 1:
+        return lozenges<Order, 1>(from, du, out, width, rows);
+      case 2:
+        return lozenges<Order, 2>(from, du, out, width, rows);
+      case 3:
+        return lozenges<Order, 3>(from, du, out, width, rows);
+      case 4:
+        return lozenges<Order, 4>(from, du, out, width, rows);
+      case 5:
+        return lozenges<Order, 5>(from, du, out, width, rows);
+      default:
+        break;
+    }
+  }
+  const std::uint8_t* const sides = from.first + dv * from.pitch;
+  const ConstRows list[] = {{from.first + du, from.pitch},
+                            {sides, from.pitch},
+                            {sides + 2 * du, from.pitch},
+                            {sides + du + dv * from.pitch, from.pitch}};
+  best_of_rows<Order, false>(list, 4, out, width, rows);
+}
+
 template <class Order>
 void fold(const std::uint8_t* row, std::uint8_t* running, const std::uint8_t* suffix, std::uint8_t* out, int width) {
   along(
@@ -369,7 +447,8 @@ std::uint64_t sum_where_bright(const std::uint8_t* from, int channels, const std
 
 template <class Order>
 constexpr OrderLoops order_loops() {
-  return {best_of_rows<Order, false>, best_of_rows<Order, true>, best_of_window<Order>, fold<Order>};
+  return {best_of_rows<Order, false>, best_of_rows<Order, true>, best_of_window<Order>, best_of_lozenge<Order>,
+          fold<Order>};
 }
 
 #include "cell_loops.inl"

@@ -32,6 +32,9 @@ struct OrderLoops {
   /// out[x] of row v = best of from[x] in rows v..v+length-1; length is 2 to kWindowMax. In
   /// place, the width is a multiple of 64.
   void (*best_of_window)(ConstRows from, int length, Rows out, int width, int rows);
+  /// out[x] of row v = best of from[x + du] in rows v and v + 2 dv, and of from[x] and from[x + 2 du] in row v + dv.
+  /// du and dv >= 1. In place, the width is a multiple of 64.
+  void (*best_of_lozenge)(ConstRows from, int du, int dv, Rows out, int width, int rows);
   /// running[x] = best(running[x], row[x]); out[x] = best(running[x], suffix[x]).
   void (*fold)(const std::uint8_t* row, std::uint8_t* running, const std::uint8_t* suffix, std::uint8_t* out,
                int width);

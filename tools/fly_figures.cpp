@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 /// Text inside gnuplot's single quotes.
 std::string quoted(const std::string& text) {
   std::string out = "'";
-  for (const char c : text) out += c == '\'' ? std::string("''") : std::string(1, c);
+  for (const char c : text) out += c == '\'' ? "''" : c == '\n' ? "'.\"\\n\".'" : std::string(1, c);
   return out + "'";
 }
 
@@ -162,6 +162,14 @@ MapView view_of(const fs::path& table) {
   return {view.x_min_m - kMargin_m, view.x_max_m + kMargin_m, view.y_min_m - kMargin_m, view.y_max_m + kMargin_m};
 }
 
+/// The picture of a course that runs north is narrower than its title: how it ended then has a line of its own.
+std::string fitted(std::string title, int width_px) {
+  constexpr int kLetter_px = 9;
+  const auto end = title.rfind(": ");
+  if (end != std::string::npos && static_cast<int>(title.size()) * kLetter_px > width_px) title[end + 1] = '\n';
+  return title;
+}
+
 }  // namespace
 
 std::string draw_figures(const fs::path& folder, const FigureTitle& title, const sim::OccupancyPicture& map) {
@@ -176,7 +184,7 @@ std::string draw_figures(const fs::path& folder, const FigureTitle& title, const
       if (figure == 4 && map.width == 0) continue;
       io::PendingFile picture(folder / ("fig" + std::to_string(figure) + extension));
       const std::string body =
-          figure == 3 ? fig3(table, title.text) : fig4(table, folder / "map.png", title.text, map, view);
+          figure == 3 ? fig3(table, title.text) : fig4(table, folder / "map.png", fitted(title.text, width), map, view);
       const std::string text = terminal(svg, figure == 3 ? 1400 : width, figure == 3 ? 560 : height) + "set output " +
                                quoted(picture.temporary_path().string()) + "\n" + body;
       const fs::path script = folder / ("fig" + std::to_string(figure) + ".gnuplot");

@@ -8,6 +8,7 @@
 
 #include "adit/io/errors.hpp"
 #include "adit/sim/course_fields.hpp"
+#include "adit/sim/door.hpp"
 #include "adit/sim/flight_fields.hpp"
 #include "adit/sim/mesh_file.hpp"
 #include "adit/sim/rig_fields.hpp"
@@ -178,6 +179,7 @@ Site site_of(const FlyOptions& options, const FlySettings& settings) {
     } else if (!options.world_file.empty() && site.world.nodes.empty()) {
       throw io::ConfigError(options.world_file + ": where the flight begins is not known; give --start x,y,z,yaw_deg");
     }
+    if (options.door) sim::close_behind_start(site.world);
     site.scene = std::make_shared<const sim::RayScene>(site.world.mesh);
     if (!options.start.empty()) refuse_void(options.start, site);
     return site;

@@ -24,6 +24,7 @@ struct FlyOptions {
   double mesh_scale = 1.0;
   std::string mesh_up = "file";
   bool world_lights = false;
+  bool door = false;
   std::string config_file;
   std::vector<std::string> settings;
   std::string lamp;

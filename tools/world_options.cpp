@@ -26,6 +26,7 @@ void add_world_options(CLI::App& command, FlyOptions& options) {
       ->check(CLI::IsMember({"file", "x", "y", "z"}));
   command.add_flag("--world-lights", options.world_lights,
                    "Keep the lights of a world file as lamps; they are passed over otherwise");
+  command.add_flag("--door", options.door, "Shut the passage behind the start: flights stay inside");
 }
 
 void add_reads(const FlyOptions& options, FileUses& uses) {

@@ -8,7 +8,7 @@
 
 namespace adit::tools {
 
-/// COURSE, --world, --start, --models, --mesh-scale, --mesh-up, --world-lights.
+/// COURSE, --world, --start, --models, --mesh-scale, --mesh-up, --world-lights, --door.
 void add_world_options(CLI::App& command, FlyOptions& options);
 
 /// The files that these options and --config name, as read. @throws io::InputError for a course that is not there

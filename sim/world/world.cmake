@@ -8,6 +8,7 @@ target_sources(adit_sim PRIVATE
   world/build_course.cpp
   world/course_check.cpp
   world/course_yaml.cpp
+  world/door.cpp
   world/fitting_shapes.cpp
   world/fittings.cpp
   world/layout.cpp

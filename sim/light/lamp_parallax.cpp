@@ -91,7 +91,9 @@ ParallaxTable parallax_of(const Vector3f& lamp, const Renderer::Parts& parts) {
           NormalisedPoint{static_cast<double>(ray.x()) / ray.z(), static_cast<double>(ray.y()) / ray.z()});
       const int u = static_cast<int>(std::lround(pixel.u_px)), v = static_cast<int>(std::lround(pixel.v_px));
       if (u < 0 || v < 0 || u >= parts.width || v >= parts.height) continue;
-      const std::size_t at = static_cast<std::size_t>(step) * table.lines + line;
+      const std::size_t at =
+          (static_cast<std::size_t>(line / kTreeWidth) * table.steps + (table.steps - 1 - step)) * kTreeWidth +
+          line % kTreeWidth;
       table.pixel[at] = v * parts.stride + u;
       table.block[at] = blocks_about(parts, u, v);
       table.shift_m[at] = focal_px * baseline_m / turned.z.dot(ray_of(parts, u, v));

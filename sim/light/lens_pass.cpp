@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "adit/sim/dust.hpp"
+#include "blur_row.hpp"
 #include "parts.hpp"
 
 namespace adit::sim {
@@ -171,51 +172,29 @@ void add_glare(Renderer::Parts& parts, const std::vector<SeenLamp>& lamps, float
   }
 }
 
-/// Motion blur in the image, along the flow of the rock: a mean over up to 16 shifts by whole pixels, the same for a
-/// run of 8 pixels, so that the loops run over neighbours.
+/// See blur.inl.
 void blur_motion(Renderer::Parts& parts, const CameraMotion& motion, float time_s) {
-  constexpr int kRun = kBlurRun_px, kTapsMax = 16;
   const ShadeKernels& kernels = shade_kernels();
   const CameraModel& m = parts.camera->model();
   parts.each(parts.height, [&](int v) {
-    for (int u0 = 0; u0 < parts.width; u0 += kRun) {
-      const std::size_t at = static_cast<std::size_t>(v) * parts.stride + u0;
-      const std::size_t mid = at + std::min(kRun / 2, parts.width - 1 - u0);
-      const Vector3f d(parts.directions[0][mid], parts.directions[1][mid], parts.directions[2][mid]);
-      const Vector3f flow = -motion.turn_rate_rad_s.cross(d) - motion.velocity_m_s / std::max(parts.range[mid], 0.05f);
-      const float z = std::max(d.z(), 0.05f);
-      const float fu = static_cast<float>(m.focal_length_x_px) * (flow.x() - d.x() / z * flow.z()) / z * time_s;
-      const float fv = static_cast<float>(m.focal_length_y_px) * (flow.y() - d.y() / z * flow.z()) / z * time_s;
-      const int taps = std::min(kTapsMax, 1 + static_cast<int>(std::max(std::abs(fu), std::abs(fv)) + 0.5f));
-      const int count = std::min(kRun, parts.width - u0);
-      int across[kTapsMax];
-      std::size_t rows[kTapsMax];
-      bool inside = true;
-      const auto rounded = [](float x) { return static_cast<int>(x + (x < 0.0f ? -0.5f : 0.5f)); };
-      for (int k = 0; k < taps; ++k) {
-        const float share = (static_cast<float>(k) + 0.5f) / static_cast<float>(taps) - 0.5f;
-        across[k] = u0 + rounded(std::clamp(share * fu, -9999.0f, 9999.0f));
-        const int down = v + rounded(std::clamp(share * fv, -9999.0f, 9999.0f));
-        rows[k] = static_cast<std::size_t>(std::clamp(down, 0, parts.height - 1)) * parts.stride;
-        inside = inside && across[k] >= 0 && across[k] + kRun <= parts.width;
-      }
-      const float share = 1.0f / static_cast<float>(taps);
-      for (int c = 0; c < 3; ++c) {
-        const float* const plane = parts.planes[c].data();
-        float* const out = &parts.blurred[c][at];
-        if (inside) {
-          const float* starts[kTapsMax];
-          for (int k = 0; k < taps; ++k) starts[k] = plane + rows[k] + across[k];
-          kernels.mean_of_shifts(starts, taps, share, out);
-          continue;
-        }
-        for (int i = 0; i < count; ++i) {
-          float sum = 0.0f;
-          for (int k = 0; k < taps; ++k) sum += plane[rows[k] + std::clamp(across[k] + i, 0, parts.width - 1)];
-          out[i] = sum * share;
-        }
-      }
+    const std::size_t at = static_cast<std::size_t>(v) * parts.stride;
+    BlurRow row{};
+    for (int c = 0; c < 3; ++c) {
+      row.directions[c] = &parts.directions[c][at];
+      row.planes[c] = parts.planes[c].data();
+      row.blurred[c] = &parts.blurred[c][at];
+      row.turn_rate_rad_s[c] = motion.turn_rate_rad_s[c];
+      row.velocity_m_s[c] = motion.velocity_m_s[c];
     }
+    row.range = &parts.range[at];
+    row.focal_x_px = static_cast<float>(m.focal_length_x_px);
+    row.focal_y_px = static_cast<float>(m.focal_length_y_px);
+    row.time_s = time_s;
+    row.row = v;
+    row.width = parts.width;
+    row.height = parts.height;
+    row.stride = parts.stride;
+    kernels.blur_row(row);
   });
   for (int c = 0; c < 3; ++c) std::swap(parts.planes[c], parts.blurred[c]);
 }

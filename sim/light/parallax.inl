@@ -13,8 +13,8 @@ ADIT_LANE void mark_blocks(std::int32_t block, int across, std::uint8_t* blocks)
 void parallax(const ParallaxTable& table, int first_line, const float* range, int across, std::uint8_t* blocks) {
   constexpr float kLeast = 0.75f;  // px; shadows narrower than that are not seen
   Floats horizon = lanes_from<Floats>(table.edge.data() + first_line);
-  for (int step = table.steps - 1; step >= 0; --step) {
-    const std::size_t at = static_cast<std::size_t>(step) * table.lines + first_line;
+  std::size_t at = static_cast<std::size_t>(first_line) * table.steps;
+  for (int step = table.steps - 1; step >= 0; --step, at += kTreeWidth) {
     const std::int32_t* const pixel = table.pixel.data() + at;
     alignas(64) float met[kTreeWidth];
     ADIT_LANES

@@ -128,12 +128,13 @@ struct ComposeTerms {
 /// The frame as a lamp beside the lens sees it, laid out so that what could stand in the light of a place lies after it
 /// in the same line. See lamp_parallax.cpp.
 struct ParallaxTable {
-  int steps = 0;                    ///< along a line, the last nearest to the lamp's side
-  int lines = 0;                    ///< a whole number of kTreeWidth
-  std::vector<std::int32_t> pixel;  ///< [step][line]: which pixel's range counts there; -1: none
-  std::vector<float> shift_m;       ///< [step][line]: steps of parallax times range
-  std::vector<std::int32_t> block;  ///< [step][line]: 4 * the first block the pixel or a neighbour lies in, + 1 and + 2
-                                    ///< where they reach into the next one to the right and below
+  int steps = 0;  ///< along a line, the last nearest to the lamp's side
+  int lines = 0;  ///< a whole number of kTreeWidth
+  // [line / kTreeWidth][steps - 1 - step][line % kTreeWidth]: in the order in which lines are walked.
+  std::vector<std::int32_t> pixel;  ///< which pixel's range counts there; -1: none
+  std::vector<float> shift_m;       ///< steps of parallax times range
+  std::vector<std::int32_t> block;  ///< 4 * the first block the pixel or a neighbour lies in, + 1 and + 2 where they
+                                    ///< reach into the next one to the right and below
   std::vector<float> edge;          ///< [line]: steps less the parallax of what may stand just beyond the image
 };
 
@@ -149,8 +150,7 @@ struct ShadeKernels {
   void (*virtual_lights)(Tile&, const VirtualLight*, int count, float clamp_m2, float extinction_1_m);
   /// Adds Tile::soft to own, foreign and sky, by the normal of each pixel; colours that have none may be left out.
   void (*soft_light)(Tile&, bool own, bool foreign, bool sky);
-  /// Blur of kBlurRun_px pixels: share times the sum over rows, each the start of a run.
-  void (*mean_of_shifts)(const float* const* rows, int taps, float share, float* out);
+  void (*blur_row)(const struct BlurRow&);
   void (*compose)(Tile&, const ComposeTerms&, float* const planes[3], int stride);
   /// Marks blocks of the frame, `across` in a row, in which light may be blocked: kTreeWidth lines from first_line on.
   void (*parallax)(const ParallaxTable&, int first_line, const float* range, int across, std::uint8_t* blocks);

@@ -1,0 +1,58 @@
+// Light gathered by a tile -> what reaches the lens through the air. Included by shade_kernels.cpp.
+
+/// Backscatter by bilinear look-up over the image and linear over r / (r + scale).
+ADIT_LANE float backscatter_at(const float* table, float range, float x, float y) {
+  constexpr int kStrideX = BackscatterTable::kBins + 1;
+  constexpr int kStrideY = BackscatterTable::kNodesX * kStrideX;
+  const float bin = range / (range + BackscatterTable::kRangeScale_m) * (BackscatterTable::kBins - 0.001f);
+  const auto k = static_cast<std::int32_t>(bin);
+  const auto ix = static_cast<std::int32_t>(x), iy = static_cast<std::int32_t>(y);
+  const float fk = bin - static_cast<float>(k), fx = x - static_cast<float>(ix), fy = y - static_cast<float>(iy);
+  const std::int32_t at = iy * kStrideY + ix * kStrideX + k;
+  const float a = table[at] + fk * (table[at + 1] - table[at]);
+  const float b = table[at + kStrideX] + fk * (table[at + kStrideX + 1] - table[at + kStrideX]);
+  const float c = table[at + kStrideY] + fk * (table[at + kStrideY + 1] - table[at + kStrideY]);
+  const std::int32_t to = at + kStrideY + kStrideX;
+  const float d = table[to] + fk * (table[to + 1] - table[to]);
+  const float top = a + fx * (b - a), bottom = c + fx * (d - c);
+  return top + fy * (bottom - top);
+}
+
+void compose(Tile& t, const ComposeTerms& terms, float* const planes[3], int stride) {
+  const ComposeTerms c = terms;
+  for (int v = 0; v < kTileHeight; ++v) {
+    float* const red = planes[0] + v * stride;
+    float* const green = planes[1] + v * stride;
+    float* const blue = planes[2] + v * stride;
+    ADIT_LANES
+    for (int u = 0; u < kTileWidth; ++u) {
+      const int i = v * kTileWidth + u;
+      const float diffuse = t.albedo[i] * (1.0f / kPi);
+      const float own = t.own[i], foreign = t.foreign[i], sky = t.sky[i];
+      const float r = diffuse * t.red[i] * (own * c.own_red + foreign * c.foreign_red + sky * c.sky_red) +
+                      t.own_specular[i] * c.own_red + t.foreign_specular[i] * c.foreign_red + t.emission[i];
+      const float g = diffuse * (own + foreign + sky) + t.own_specular[i] + t.foreign_specular[i] + t.emission[i];
+      const float b = diffuse * t.blue[i] * (own * c.own_blue + foreign * c.foreign_blue + sky * c.sky_blue) +
+                      t.own_specular[i] * c.own_blue + t.foreign_specular[i] * c.foreign_blue + t.emission[i];
+      const float hit = t.triangle[i] >= 0 ? 1.0f : 0.0f;
+      const float through = hit * exp_lane(-c.extinction_1_m * t.range[i]);
+      const float sky_seen = (1.0f - hit) * c.sky_luminance;
+      red[u] = r * through + sky_seen * c.sky_red;
+      green[u] = g * through + sky_seen;
+      blue[u] = b * through + sky_seen * c.sky_blue;
+    }
+  }
+  if (c.backscatter == nullptr) return;
+  const float* table = &c.backscatter->luminance[0][0][0];
+  for (int v = 0; v < kTileHeight; ++v) {
+    const float y = static_cast<float>(c.v0 + v) * c.node_v;
+    ADIT_LANES
+    for (int u = 0; u < kTileWidth; ++u) {
+      const float x = static_cast<float>(c.u0 + u) * c.node_u;
+      const float haze = backscatter_at(table, t.range[v * kTileWidth + u], x, y);
+      planes[0][v * stride + u] += haze * c.own_red;
+      planes[1][v * stride + u] += haze;
+      planes[2][v * stride + u] += haze * c.own_blue;
+    }
+  }
+}

@@ -24,9 +24,9 @@ void find_flows(const BlurRow& row, int first_run, int runs, RunFlows& flows) {
   const BlurRow b = row;
   ADIT_LANES
   for (int i = 0; i < runs; ++i) {
-    const int u = (first_run + i) * kBlurRun_px + kBlurRun_px / 2;
+    const int run = first_run + i, u = run * kBlurRun_px + kBlurRun_px / 2;
     const int middle = u < b.width ? u : b.width - 1;
-    const float x = b.directions[0][middle], y = b.directions[1][middle], z = b.directions[2][middle];
+    const float x = b.run_directions[0][run], y = b.run_directions[1][run], z = b.run_directions[2][run];
     const float range = b.range[middle] < 0.05f ? 0.05f : b.range[middle];
     const float* const w = b.turn_rate_rad_s;
     const float flow_x = -(w[1] * z - w[2] * y) - b.velocity_m_s[0] / range;

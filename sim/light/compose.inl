@@ -1,20 +1,21 @@
 // Light gathered by a tile -> what reaches the lens through the air. Included by shade_kernels.cpp.
 
 /// Backscatter by bilinear look-up over the image and linear over r / (r + scale).
-ADIT_LANE float backscatter_at(const float* table, float range, float x, float y) {
+ADIT_LANE Floats backscatter_at(const float* table, const Floats& range, const Floats& x, float y) {
   constexpr int kStrideX = BackscatterTable::kBins + 1;
   constexpr int kStrideY = BackscatterTable::kNodesX * kStrideX;
-  const float bin = range / (range + BackscatterTable::kRangeScale_m) * (BackscatterTable::kBins - 0.001f);
-  const auto k = static_cast<std::int32_t>(bin);
-  const auto ix = static_cast<std::int32_t>(x), iy = static_cast<std::int32_t>(y);
-  const float fk = bin - static_cast<float>(k), fx = x - static_cast<float>(ix), fy = y - static_cast<float>(iy);
-  const std::int32_t at = iy * kStrideY + ix * kStrideX + k;
-  const float a = table[at] + fk * (table[at + 1] - table[at]);
-  const float b = table[at + kStrideX] + fk * (table[at + kStrideX + 1] - table[at + kStrideX]);
-  const float c = table[at + kStrideY] + fk * (table[at + kStrideY + 1] - table[at + kStrideY]);
-  const std::int32_t to = at + kStrideY + kStrideX;
-  const float d = table[to] + fk * (table[to + 1] - table[to]);
-  const float top = a + fx * (b - a), bottom = c + fx * (d - c);
+  const Floats bin = range / (range + BackscatterTable::kRangeScale_m) * (BackscatterTable::kBins - 0.001f);
+  const Ints k = truncated(bin), ix = truncated(x);
+  const auto iy = static_cast<std::int32_t>(y);
+  const Floats fk = bin - __builtin_convertvector(k, Floats), fx = x - __builtin_convertvector(ix, Floats);
+  const float fy = y - static_cast<float>(iy);
+  const Ints at = iy * kStrideY + ix * kStrideX + k;
+  const auto in_range = [&](int offset) {
+    const FloatPairs bins = pairs_from(table + offset, at);
+    return Floats(bins.first + fk * (bins.second - bins.first));
+  };
+  const Floats a = in_range(0), b = in_range(kStrideX), c = in_range(kStrideY), d = in_range(kStrideY + kStrideX);
+  const Floats top = a + fx * (b - a), bottom = c + fx * (d - c);
   return top + fy * (bottom - top);
 }
 
@@ -46,13 +47,15 @@ void compose(Tile& t, const ComposeTerms& terms, float* const planes[3], int str
   const float* table = &c.backscatter->luminance[0][0][0];
   for (int v = 0; v < kTileHeight; ++v) {
     const float y = static_cast<float>(c.v0 + v) * c.node_v;
-    ADIT_LANES
-    for (int u = 0; u < kTileWidth; ++u) {
-      const float x = static_cast<float>(c.u0 + u) * c.node_u;
-      const float haze = backscatter_at(table, t.range[v * kTileWidth + u], x, y);
-      planes[0][v * stride + u] += haze * c.own_red;
-      planes[1][v * stride + u] += haze;
-      planes[2][v * stride + u] += haze * c.own_blue;
+    for (int u = 0; u < kTileWidth; u += kTreeWidth) {
+      const Floats x = __builtin_convertvector(lane_numbers() + (c.u0 + u), Floats) * c.node_u;
+      const Floats haze = backscatter_at(table, floats_at(t.range + v * kTileWidth + u), x, y);
+      const float tint[3] = {c.own_red, 1.0f, c.own_blue};
+      for (int k = 0; k < 3; ++k) {
+        float* const out = planes[k] + v * stride + u;
+        const Floats sum = lanes_from<Floats>(out) + haze * tint[k];
+        std::memcpy(out, &sum, sizeof sum);
+      }
     }
   }
 }

@@ -37,17 +37,12 @@ struct Extent {
   [[nodiscard]] int count() const { return static_cast<int>(std::ceil(high - low)) + 1; }
 };
 
-Vector3f ray_of(const Renderer::Parts& parts, int u, int v) {
-  const std::size_t i = static_cast<std::size_t>(v) * parts.stride + u;
-  return {parts.directions[0][i], parts.directions[1][i], parts.directions[2][i]};
-}
-
 /// Extents of the turned image, px; false where a ray runs too far aside of its axis.
 bool extents_of(const Renderer::Parts& parts, const Turned& turned, float focal_px, Extent& along, Extent& across) {
   for (int v = 0; v < parts.height; ++v)
     for (int u = 0; u < parts.width; ++u) {
       if (u != 0 && v != 0 && u != parts.width - 1 && v != parts.height - 1) continue;
-      const Vector3f ray = ray_of(parts, u, v);
+      const Vector3f ray = parts.ray_of(u, v);
       const float z = turned.z.dot(ray);
       if (z < kForwardMin) return false;
       along.add(focal_px * turned.x.dot(ray) / z);
@@ -96,7 +91,7 @@ ParallaxTable parallax_of(const Vector3f& lamp, const Renderer::Parts& parts) {
           line % kTreeWidth;
       table.pixel[at] = v * parts.stride + u;
       table.block[at] = blocks_about(parts, u, v);
-      table.shift_m[at] = focal_px * baseline_m / turned.z.dot(ray_of(parts, u, v));
+      table.shift_m[at] = focal_px * baseline_m / turned.z.dot(parts.ray_of(u, v));
       float& edge = table.edge[static_cast<std::size_t>(line)];
       if (edge == 1e9f) edge = focal_px * baseline_m / kNearestBeyondEdge_m - static_cast<float>(step + 1);
     }

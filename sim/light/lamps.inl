@@ -1,41 +1,46 @@
 // What lamps and the points of light of the indirect light add to a tile. Included by shade_kernels.cpp.
 
-/// Irradiance (inverse square, Lambert's cosine) and specular luminance of one lamp, not yet shadowed.
+/// LampLobe's table at these cosines to the axis.
+ADIT_LANE Floats lobe_at(const float* table, const Floats& cosine) {
+  constexpr float kSteps = 512.0f;
+  const Floats share = lesser(greater(0.5f - 0.5f * cosine, Floats{}), all_of(1.0f));
+  const Floats step = root_of(share) * kSteps;
+  const Ints k = truncated(step);
+  const Floats f = step - __builtin_convertvector(k, Floats);
+  const FloatPairs lobe = pairs_from(table, k);
+  return lobe.first + f * (lobe.second - lobe.first);
+}
+
+/// Irradiance (inverse square, Lambert's cosine) and specular luminance of one lamp, not yet shadowed; sixteen lanes.
+void lamp_lanes(Tile& t, const LampTerms& l, const float* place, const float* axis, int first) {
+  const Floats &nx = floats_at(t.nx + first), &ny = floats_at(t.ny + first), &nz = floats_at(t.nz + first);
+  const Floats lx = place[0] - floats_at(t.px + first), ly = place[1] - floats_at(t.py + first),
+               lz = place[2] - floats_at(t.pz + first);
+  const Floats d2 = lx * lx + ly * ly + lz * lz + l.radius2_m2;
+  const Floats inverse = 1.0f / root_of(d2 + 1e-12f);
+  const Floats wx = lx * inverse, wy = ly * inverse, wz = lz * inverse;
+  const Floats lobe = lobe_at(l.lobe, -(wx * axis[0] + wy * axis[1] + wz * axis[2]));
+  const Floats incidence = wx * nx + wy * ny + wz * nz;
+  const Floats before = wx * floats_at(t.gx + first) + wy * floats_at(t.gy + first) + wz * floats_at(t.gz + first);
+  const Ints is_lit = (incidence > 0.0f) & (before > 0.0f) & (ints_at(t.triangle + first) >= 0);
+  const Floats lit = is_lit ? all_of(1.0f) : Floats{};
+  const Floats e =
+      lit * l.intensity_cd * lobe * inverse * inverse * incidence * exp_lanes(-l.extinction_1_m * d2 * inverse);
+  // Blinn and Phong's lobe, normalised.
+  const Floats hx = wx - floats_at(t.dx + first), hy = wy - floats_at(t.dy + first), hz = wz - floats_at(t.dz + first);
+  const Floats h = 1.0f / root_of(hx * hx + hy * hy + hz * hz + 1e-12f);
+  const Floats gloss = lesser(greater((hx * nx + hy * ny + hz * nz) * h, all_of(1e-6f)), all_of(1.0f));
+  const Floats& s = floats_at(t.shininess + first);
+  const Floats peak = floats_at(t.specular + first) * (s + 8.0f) * (0.125f / kPi) * exp2_lanes(s * log2_lanes(gloss));
+  floats_at(t.share + first) = e;
+  floats_at(t.share_specular + first) = e * peak;
+}
+
 void lamp(Tile& t, const LampTerms& terms) {
   const LampTerms l = terms;
-  constexpr float kSteps = 512.0f;
-  const float *const lobe_here = l.lobe, *const lobe_next = l.lobe + 1;  // two bases: indices stay 32 bits wide
-  for (int v = 0; v < kTileHeight; ++v) {
-    const float* place = l.places + v * l.row_stride;
-    const float* axis = l.axes + v * l.row_stride;
-    const float qx = place[0], qy = place[1], qz = place[2], ax = axis[0], ay = axis[1], az = axis[2];
-    ADIT_LANES
-    for (int u = 0; u < kTileWidth; ++u) {
-      const int i = v * kTileWidth + u;
-      const float lx = qx - t.px[i], ly = qy - t.py[i], lz = qz - t.pz[i];
-      const float d2 = lx * lx + ly * ly + lz * lz + l.radius2_m2;
-      const float inverse = 1.0f / std::sqrt(d2 + 1e-12f);
-      const float wx = lx * inverse, wy = ly * inverse, wz = lz * inverse;
-      const float cosine = -(wx * ax + wy * ay + wz * az);
-      const float step = std::sqrt(clamped(0.5f - 0.5f * cosine, 0.0f, 1.0f)) * kSteps;
-      const auto k = static_cast<std::int32_t>(step);
-      const float f = step - static_cast<float>(k);
-      const float lobe = lobe_here[k] + f * (lobe_next[k] - lobe_here[k]);
-      const float incidence = wx * t.nx[i] + wy * t.ny[i] + wz * t.nz[i];
-      const float before = wx * t.gx[i] + wy * t.gy[i] + wz * t.gz[i];
-      const float lit = ((incidence > 0.0f) & (before > 0.0f) & (t.triangle[i] >= 0)) ? 1.0f : 0.0f;
-      const float e =
-          lit * l.intensity_cd * lobe * inverse * inverse * incidence * exp_lane(-l.extinction_1_m * d2 * inverse);
-      // Blinn and Phong's lobe, normalised.
-      const float hx = wx - t.dx[i], hy = wy - t.dy[i], hz = wz - t.dz[i];
-      const float h = 1.0f / std::sqrt(hx * hx + hy * hy + hz * hz + 1e-12f);
-      const float gloss = clamped((hx * t.nx[i] + hy * t.ny[i] + hz * t.nz[i]) * h, 1e-6f, 1.0f);
-      const float s = t.shininess[i];
-      const float peak = t.specular[i] * (s + 8.0f) * (0.125f / kPi) * exp2_lane(s * log2_lane(gloss));
-      t.share[i] = e;
-      t.share_specular[i] = e * peak;
-    }
-  }
+  for (int v = 0; v < kTileHeight; ++v)
+    for (int u = 0; u < kTileWidth; u += kTreeWidth)
+      lamp_lanes(t, l, l.places + v * l.row_stride, l.axes + v * l.row_stride, v * kTileWidth + u);
 }
 
 /// Points of light on quads of pixels: soft light changes little from pixel to pixel, but the normal does, and so it is

@@ -47,8 +47,8 @@ void add_foreign_haze(Renderer::Parts& parts, const CameraMotion& motion) {
   parts.each(down, [&](int j) {
     for (int i = 0; i < across; ++i) {
       const std::size_t at = static_cast<std::size_t>(j * kHazeBlock_px + 4) * parts.stride + i * kHazeBlock_px + 4;
-      const Vector3f view =
-          motion.pose.linear() * Vector3f(parts.directions[0][at], parts.directions[1][at], parts.directions[2][at]);
+      const Vector3f view = motion.pose.linear() *
+                            parts.ray_of(i * kHazeBlock_px + kHazeBlock_px / 2, j * kHazeBlock_px + kHazeBlock_px / 2);
       float sums[2] = {0.0f, 0.0f};
       for (const ForeignLamp& lamp : parts.foreign_lamps) {
         const float value = haze_along(lamp, dust, eye, view, parts.range[at]);
@@ -180,7 +180,8 @@ void blur_motion(Renderer::Parts& parts, const CameraMotion& motion, float time_
     const std::size_t at = static_cast<std::size_t>(v) * parts.stride;
     BlurRow row{};
     for (int c = 0; c < 3; ++c) {
-      row.directions[c] = &parts.directions[c][at];
+      row.run_directions[c] =
+          &parts.run_directions[(static_cast<std::size_t>(v) * 3 + c) * (parts.stride / kBlurRun_px)];
       row.planes[c] = parts.planes[c].data();
       row.blurred[c] = &parts.blurred[c][at];
       row.turn_rate_rad_s[c] = motion.turn_rate_rad_s[c];

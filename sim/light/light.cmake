@@ -15,7 +15,6 @@ target_sources(adit_sim PRIVATE
   light/virtual_lights.cpp
   light/foreign_lamps.cpp
   light/mesh_tree.cpp
-  light/primary_rays.cpp
   light/shadows.cpp
   light/light_pass.cpp
   light/lens_pass.cpp

@@ -147,16 +147,17 @@ struct TilePlace {
 };
 
 void aim_tile(Tile& t, const Renderer::Parts& parts, const TilePlace& place) {
-  const float* const directions[3] = {&parts.directions[0][place.at], &parts.directions[1][place.at],
-                                      &parts.directions[2][place.at]};
-  shade_kernels().aim(t, &parts.row_poses[static_cast<std::size_t>(place.v0)], directions, parts.stride);
+  shade_kernels().aim(t, &parts.row_poses[static_cast<std::size_t>(place.v0)],
+                      &parts.directions[static_cast<std::size_t>(place.index) * 3 * kTileLanes]);
 }
 
 void see_tile(Renderer::Parts& parts, int tile) {
   static thread_local Tile t;
   const TilePlace place(parts, tile);
   aim_tile(t, parts, place);
-  trace_tile(t, parts.row_poses[static_cast<std::size_t>(place.v0 + kTileHeight / 2)], parts);
+  static_assert(kNoRange_m == kRangeOfNothing_m);
+  const RowPose& middle = parts.row_poses[static_cast<std::size_t>(place.v0 + kTileHeight / 2)];
+  shade_kernels().see(t, middle.rotation, parts.tree.nodes.data(), parts.tree.leaves.data(), parts.triangles.data());
   parts.hits[static_cast<std::size_t>(tile)] = t;
   for (int v = 0; v < kTileHeight; ++v)
     std::copy_n(&t.range[v * kTileWidth], kTileWidth,

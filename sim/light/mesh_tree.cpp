@@ -42,14 +42,16 @@ class TreeMaker {
     return box;
   }
 
-  /// In two along the longest side, at a whole number of leaves.
-  std::pair<Part, Part> halves_of(Part part) {
+  static std::size_t leaves_in(Part part) { return (part.size() + kTreeWidth - 1) / kTreeWidth; }
+
+  /// In two along the longest side, at a whole number of `unit` leaves.
+  std::pair<Part, Part> halves_of(Part part, std::size_t unit) {
     Box box;
     for (const std::uint32_t t : part) box.add(middles_[t]);
     int axis = 0;
     (box.high - box.low).maxCoeff(&axis);
-    const std::size_t leaves = (part.size() + kTreeWidth - 1) / kTreeWidth;
-    const std::size_t half = (leaves + 1) / 2 * kTreeWidth;
+    const std::size_t units = (leaves_in(part) + unit - 1) / unit;
+    const std::size_t half = (units + 1) / 2 * unit * kTreeWidth;
     std::nth_element(part.begin(), part.begin() + static_cast<std::ptrdiff_t>(half), part.end(),
                      [&](std::uint32_t a, std::uint32_t b) {
                        const float x = middles_[a][axis], y = middles_[b][axis];
@@ -72,15 +74,18 @@ class TreeMaker {
   }
 
   std::int32_t add_node(Part part) {
+    // Children are whole trees of one level less, so that the last level, which most walks come to, is full.
+    std::size_t unit = 1;
+    while (unit * kTreeWidth < leaves_in(part)) unit *= kTreeWidth;
     std::vector<Part> parts = {part};
     for (int level = 1; level < kTreeWidth; level *= 2) {
       std::vector<Part> next;
       for (const Part p : parts) {
-        if (p.size() <= kTreeWidth) {
+        if (leaves_in(p) <= unit) {
           next.push_back(p);
           continue;
         }
-        const auto [left, right] = halves_of(p);
+        const auto [left, right] = halves_of(p, unit);
         next.push_back(left);
         next.push_back(right);
       }

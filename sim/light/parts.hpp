@@ -42,7 +42,7 @@ struct CameraMotion {
 /// Tables of the sensor, made once.
 struct SensorTables {
   std::vector<float> sensitivity, offset_e, gauss;
-  std::vector<std::uint8_t> tone;
+  std::vector<std::int32_t> tone;  ///< bytes
 };
 
 struct Renderer::Parts {
@@ -54,7 +54,8 @@ struct Renderer::Parts {
   std::unique_ptr<tbb::task_arena> arena;           ///< null: one thread
   int width = 0, height = 0, stride = 0, rows = 0;  ///< stride and rows are rounded up to whole tiles
   float pixel_angle = 0.0f;
-  std::vector<float> directions[3];
+  std::vector<float> directions;      ///< [tile][axis][lane], optical frame, unit: as tiles ask for them
+  std::vector<float> run_directions;  ///< [row][axis][run]: of the middle of each kBlurRun_px pixels
   std::vector<TriangleRow> triangles;
   MeshTree tree;
   MaterialTable materials{};
@@ -71,6 +72,14 @@ struct Renderer::Parts {
   std::vector<RowPose> row_poses;
   std::vector<TileHits> hits;                          ///< of each tile
   std::vector<std::vector<std::uint8_t>> dark_blocks;  ///< of each own lamp: 1 where a block may have shadow
+
+  /// The ray of a pixel, which may lie beyond the image up to a whole tile: then that of the nearest.
+  [[nodiscard]] Eigen::Vector3f ray_of(int u, int v) const {
+    const int tile = v / kTileHeight * (stride / kTileWidth) + u / kTileWidth;
+    const float* const d =
+        &directions[static_cast<std::size_t>(tile) * 3 * kTileLanes + (v % kTileHeight) * kTileWidth + u % kTileWidth];
+    return {d[0], d[kTileLanes], d[2 * kTileLanes]};
+  }
 
   /// body(i) for i in [0, count): on all threads of the arena, in any order.
   template <class Body>
@@ -104,10 +113,6 @@ SensorTables sensor_tables_of(const Renderer::Parts& parts);
 void add_bounces(std::vector<VirtualLight>& lights, const World& world, const RayScene& scene,
                  const Eigen::Isometry3f& pose, const LampLobe& lobe, float intensity_cd, int count,
                  float extinction_1_m, int colour);
-
-/// Closest hits of all lanes of a tile that is aimed.
-/// @param middle of its rows.
-void trace_tile(Tile& tile, const RowPose& middle, const Renderer::Parts& parts);
 
 /// Takes the shares of the lamp that was asked last over where nothing stands between; blocks of pixels whose shares
 /// all lie below least_lux are dropped. No ray is cast in blocks that are not in `doubtful`, a bit each.

@@ -47,16 +47,26 @@ std::vector<OwnLamp> own_lamps_of(const RigConfig& rig) {
 }
 
 void fill_directions(Renderer::Parts& parts) {
-  for (auto& d : parts.directions) d.resize(static_cast<std::size_t>(parts.stride) * parts.rows);
+  parts.directions.resize(static_cast<std::size_t>(3) * parts.stride * parts.rows);
+  const int across = parts.stride / kTileWidth;
   for (int v = 0; v < parts.rows; ++v)
     for (int u = 0; u < parts.stride; ++u) {
       const NormalisedPoint n = parts.camera->normalised_of(
           {static_cast<double>(std::min(u, parts.width - 1)), static_cast<double>(std::min(v, parts.height - 1))});
       const double length = std::sqrt(n.sx * n.sx + n.sy * n.sy + 1.0);
-      const std::size_t i = static_cast<std::size_t>(v) * parts.stride + u;
-      parts.directions[0][i] = static_cast<float>(n.sx / length);
-      parts.directions[1][i] = static_cast<float>(n.sy / length);
-      parts.directions[2][i] = static_cast<float>(1.0 / length);
+      float* const d =
+          &parts.directions[static_cast<std::size_t>(v / kTileHeight * across + u / kTileWidth) * 3 * kTileLanes +
+                            v % kTileHeight * kTileWidth + u % kTileWidth];
+      d[0] = static_cast<float>(n.sx / length);
+      d[kTileLanes] = static_cast<float>(n.sy / length);
+      d[2 * kTileLanes] = static_cast<float>(1.0 / length);
+    }
+  const int runs = parts.stride / kBlurRun_px;
+  parts.run_directions.resize(static_cast<std::size_t>(3) * runs * parts.height);
+  for (int v = 0; v < parts.height; ++v)
+    for (int i = 0; i < runs; ++i) {
+      const Vector3f ray = parts.ray_of(std::min(i * kBlurRun_px + kBlurRun_px / 2, parts.width - 1), v);
+      for (int k = 0; k < 3; ++k) parts.run_directions[(static_cast<std::size_t>(v) * 3 + k) * runs + i] = ray[k];
     }
 }
 

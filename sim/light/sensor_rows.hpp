@@ -35,8 +35,8 @@ struct ToneRow {
   float white_red, white_blue;
   float colour;  ///< share of the colour that is kept
   float number_max;
-  const std::uint8_t* tone;  ///< number_max + 1 entries
-  std::int32_t* scratch;     ///< 3 * width
+  const std::int32_t* tone;  ///< number_max + 1 bytes
+  std::uint32_t* scratch;    ///< width
   std::uint8_t* bgr;
   std::uint64_t* level_sum;  ///< out: sum over the row's bytes
   int width;

@@ -32,11 +32,11 @@ void mosaic_row(const MosaicRow& row) {
 void tone_row(const ToneRow& row) {
   const ToneRow t = row;
   const int width = t.width;
-  std::int32_t* const blue = t.scratch;
-  std::int32_t* const green = t.scratch + width;
-  std::int32_t* const red = t.scratch + 2 * width;
+  std::uint32_t* const packed = t.scratch;
+  const std::int32_t* const tone = t.tone;
   const float top = t.number_max;
   const float row_odd = t.odd_row ? 1.0f : 0.0f, row_even = 1.0f - row_odd;
+  std::int32_t sum = 0;
   ADIT_LANES
   for (int u = 0; u < width; ++u) {
     const float m = t.here[u];
@@ -54,18 +54,17 @@ void tone_row(const ToneRow& row) {
     const float b = row_odd * lower_b + row_even * upper_b;
     const float white_r = r * t.white_red, white_b = b * t.white_blue;
     const float grey = 0.25f * white_r + 0.5f * g + 0.25f * white_b;
-    red[u] = static_cast<std::int32_t>(clamped(grey + t.colour * (white_r - grey) + 0.5f, 0.0f, top));
-    green[u] = static_cast<std::int32_t>(clamped(grey + t.colour * (g - grey) + 0.5f, 0.0f, top));
-    blue[u] = static_cast<std::int32_t>(clamped(grey + t.colour * (white_b - grey) + 0.5f, 0.0f, top));
+    const std::int32_t red =
+        tone[static_cast<std::int32_t>(clamped(grey + t.colour * (white_r - grey) + 0.5f, 0.0f, top))];
+    const std::int32_t green = tone[static_cast<std::int32_t>(clamped(grey + t.colour * (g - grey) + 0.5f, 0.0f, top))];
+    const std::int32_t blue =
+        tone[static_cast<std::int32_t>(clamped(grey + t.colour * (white_b - grey) + 0.5f, 0.0f, top))];
+    packed[u] = static_cast<std::uint32_t>(blue | green << 8 | red << 16);
+    sum += blue + green + red;
   }
-  std::uint64_t sum = 0;
-  ADIT_LANES
-  for (int u = 0; u < width; ++u) {
-    const std::uint8_t b = t.tone[blue[u]], g = t.tone[green[u]], r = t.tone[red[u]];
-    t.bgr[3 * u] = b;
-    t.bgr[3 * u + 1] = g;
-    t.bgr[3 * u + 2] = r;
-    sum += static_cast<std::uint64_t>(b) + g + r;
-  }
-  *t.level_sum = sum;
+  // Four bytes at a time, of which the next pixel takes the last.
+  static_assert(std::endian::native == std::endian::little);
+  for (int u = 0; u < width - 1; ++u) std::memcpy(t.bgr + 3 * u, packed + u, 4);
+  std::memcpy(t.bgr + 3 * (width - 1), packed + width - 1, 3);
+  *t.level_sum = static_cast<std::uint64_t>(sum);
 }

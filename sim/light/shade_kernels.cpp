@@ -1,4 +1,6 @@
 // The shading loops. CMake compiles this file once per CPU target, with ADIT_SHADE_TARGET naming it.
+#include <bit>
+
 #include "blur_row.hpp"
 #include "facet_noise.hpp"
 #include "lane_vectors.hpp"

@@ -1,23 +1,18 @@
 // What a tile of pixels is of: place, normal, facets, reflectance. Included by shade_kernels.cpp.
 
-void aim(Tile& t, const RowPose* rows, const float* const directions[3], int stride) {
+void aim(Tile& t, const RowPose* rows, const float* directions) {
+  const float *const dx = directions, *const dy = dx + kTileLanes, *const dz = dy + kTileLanes;
   for (int v = 0; v < kTileHeight; ++v) {
-    float r[9], place[3];
+    float r[9];
     for (int k = 0; k < 9; ++k) r[k] = rows[v].rotation[k];
-    for (int k = 0; k < 3; ++k) place[k] = rows[v].place[k];
-    const float* const dx = directions[0] + v * stride;
-    const float* const dy = directions[1] + v * stride;
-    const float* const dz = directions[2] + v * stride;
+    for (int k = 0; k < 3; ++k) t.origin[v][k] = rows[v].place[k];
     ADIT_LANES
     for (int u = 0; u < kTileWidth; ++u) {
       const int i = v * kTileWidth + u;
-      const float x = dx[u], y = dy[u], z = dz[u];
+      const float x = dx[i], y = dy[i], z = dz[i];
       t.dx[i] = r[0] * x + r[1] * y + r[2] * z;
       t.dy[i] = r[3] * x + r[4] * y + r[5] * z;
       t.dz[i] = r[6] * x + r[7] * y + r[8] * z;
-      t.ox[i] = place[0];
-      t.oy[i] = place[1];
-      t.oz[i] = place[2];
     }
   }
 }
@@ -30,13 +25,15 @@ void geometry(Tile& t, const SurfaceTerms& terms, int first) {
   take_rows(terms.triangles, t.triangle + first, kTreeWidth, far);
   const auto& f = near.field;
   const auto& g = far.field;
+  const float* const origin = t.origin[first / kTileWidth];
+  const float ox = origin[0], oy = origin[1], oz = origin[2];
   ADIT_LANES
   for (int j = 0; j < kTreeWidth; ++j) {
     const int i = first + j;
     const float range = clamped(t.range[i], 0.0f, 1e5f);  // where nothing is hit, places still fit integers
-    t.px[i] = t.ox[i] + t.dx[i] * range;
-    t.py[i] = t.oy[i] + t.dy[i] * range;
-    t.pz[i] = t.oz[i] + t.dz[i] * range;
+    t.px[i] = ox + t.dx[i] * range;
+    t.py[i] = oy + t.dy[i] * range;
+    t.pz[i] = oz + t.dz[i] * range;
     float gx = f[9][j], gy = f[10][j], gz = f[11][j];
     const float side = gx * t.dx[i] + gy * t.dy[i] + gz * t.dz[i] > 0.0f ? -1.0f : 1.0f;
     const float n_g = side / std::sqrt(gx * gx + gy * gy + gz * gz + 1e-30f);

@@ -43,8 +43,8 @@ struct alignas(64) TileHits {
 };
 
 struct Tile : TileHits {
-  // View: unit direction in the world, origin of the ray.
-  Lane dx, dy, dz, ox, oy, oz;
+  // View: unit direction in the world.
+  Lane dx, dy, dz;
   std::int32_t material[kTileLanes];
   Lane gx, gy, gz;
   // Surface: place, normal with facets, geometric normal turned to the eye (gx, gy, gz), reflectance.
@@ -58,6 +58,7 @@ struct Tile : TileHits {
   float soft[3][3][kQuads];
   // One lamp's share, before its shadows are known.
   Lane share, share_specular;
+  float origin[kTileHeight][3];  ///< of the rays of each row; last, so that lanes stay aligned
 };
 
 /// Reflectance of the world's materials, an array a field so that lanes can gather.
@@ -141,9 +142,10 @@ struct ParallaxTable {
 /// The loops, compiled once per kind of CPU. Every kind gives the same bits.
 struct ShadeKernels {
   const char* target;
-  void (*aim)(Tile&, const RowPose* rows, const float* const directions[3], int stride);
-  /// @param axes RowPose::rotation of the tile's middle row.
-  bool (*see)(Tile&, const float* axes, const struct TreeNode*, const struct TreeLeaf*, const TriangleRow*);
+  /// @param directions optical frame, [axis][lane].
+  void (*aim)(Tile&, const RowPose* rows, const float* directions);
+  /// Fills TileHits. @param axes RowPose::rotation of the tile's middle row.
+  void (*see)(Tile&, const float* axes, const struct TreeNode*, const struct TreeLeaf*, const TriangleRow*);
   void (*surface)(Tile&, const SurfaceTerms&);
   void (*lamp)(Tile&, const LampTerms&);
   /// Adds to Tile::soft.

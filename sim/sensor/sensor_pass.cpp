@@ -63,8 +63,8 @@ void expose_row(Renderer::Parts& parts, const Shot& shot, int v) {
 }
 
 std::uint64_t develop_row(Renderer::Parts& parts, const Shot& shot, int v, std::uint8_t* bgr) {
-  static thread_local std::vector<std::int32_t> scratch;
-  scratch.resize(static_cast<std::size_t>(3) * parts.width);
+  static thread_local std::vector<std::uint32_t> scratch;
+  scratch.resize(static_cast<std::size_t>(parts.width));
   const SensorConfig& s = parts.rig.sensor;
   const float fade = shot.exposure.gain / s.colour_fade_gain;
   std::uint64_t sum = 0;

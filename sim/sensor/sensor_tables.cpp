@@ -32,11 +32,11 @@ std::vector<float> gauss_table() {
   return table;
 }
 
-std::vector<std::uint8_t> tone_table(const SensorConfig& sensor) {
+std::vector<std::int32_t> tone_table(const SensorConfig& sensor) {
   const int top = (1 << sensor.adc_bits) - 1;
-  std::vector<std::uint8_t> tone(static_cast<std::size_t>(top) + 1);
+  std::vector<std::int32_t> tone(static_cast<std::size_t>(top) + 1);
   for (int i = 0; i <= top; ++i)
-    tone[static_cast<std::size_t>(i)] = static_cast<std::uint8_t>(
+    tone[static_cast<std::size_t>(i)] = static_cast<std::int32_t>(
         std::lround(255.0 * std::pow(static_cast<double>(i) / top, 1.0 / static_cast<double>(sensor.gamma))));
   return tone;
 }
@@ -66,7 +66,7 @@ SensorTables sensor_tables_of(const Renderer::Parts& parts) {
   for (int v = 0; v < parts.height; ++v)
     for (int u = 0; u < parts.width; ++u) {
       const std::size_t i = static_cast<std::size_t>(v) * parts.width + u;
-      const float cosine = parts.directions[2][static_cast<std::size_t>(v) * parts.stride + u];
+      const float cosine = parts.ray_of(u, v).z();
       const float a = tables.gauss[hashed(2 * i + 0x100000001b3ULL) >> 20];
       const float b = tables.gauss[hashed(2 * i + 0x200000001b4ULL) >> 20];
       const float spread = parts.render.sensor_noise ? s.response_spread_fraction * a : 0.0f;

@@ -17,7 +17,8 @@ std::atomic<long> allocations{0};
 std::atomic<bool> memory_is_out{false};
 }  // namespace
 
-// Not inlined, none of the six: GCC would see malloc() or free() beside one that it has not inlined, and warn.
+// Not inlined, none of them: GCC would see malloc() or free() beside one that it has not inlined, and warn. All that
+// the core's standard library calls, or the address sanitizer finds its own new with our delete.
 [[gnu::noinline]] void* operator new(std::size_t size) {
   ++allocations;
   if (memory_is_out) throw std::bad_alloc();
@@ -31,7 +32,12 @@ std::atomic<bool> memory_is_out{false};
   if (void* memory = std::aligned_alloc(align, (size + align - 1) / align * align)) return memory;
   throw std::bad_alloc();
 }
+[[gnu::noinline]] void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+  ++allocations;
+  return memory_is_out ? nullptr : std::malloc(size > 0 ? size : 1);
+}
 [[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory, const std::nothrow_t&) noexcept { std::free(memory); }
 [[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 [[gnu::noinline]] void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
 [[gnu::noinline]] void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }

@@ -137,6 +137,30 @@ inline void window_in_columns(ConstRows from, int length, Rows out, int rows) {
   }
 }
 
+// The same for a length that is known here: what is kept stays in registers.
+template <class Order, int kLength>
+void short_window_in_columns(ConstRows from, int, Rows out, int rows) {
+  Bytes suffix[kLength - 1];
+  for (; rows >= kLength; rows -= kLength) {
+    suffix[kLength - 2] = load(from.first + (kLength - 2) * from.pitch);
+#pragma GCC unroll 16
+    for (int i = kLength - 3; i >= 0; --i) suffix[i] = Order::of(suffix[i + 1], load(from.first + i * from.pitch));
+    from.first += (kLength - 1) * from.pitch;
+    Bytes best = load(from.first);
+    store(out.first, Order::of(best, suffix[0]));
+#pragma GCC unroll 16
+    for (int i = 1; i < kLength; ++i) {
+      from.first += from.pitch;
+      out.first += out.pitch;
+      best = Order::of(best, load(from.first));
+      store(out.first, i < kLength - 1 ? Order::of(best, suffix[i]) : best);
+    }
+    from.first -= (kLength - 2) * from.pitch;
+    out.first += out.pitch;
+  }
+  if (rows > 0) window_in_columns<Order, 1>(from, kLength, out, rows);
+}
+
 template <class Order>
 void best_of_window(ConstRows from, int length, Rows out, int width, int rows) {
   constexpr int kLanes = Bytes::kLanes;
@@ -150,17 +174,23 @@ void best_of_window(ConstRows from, int length, Rows out, int width, int rows) {
     }
     return;
   }
+  // The windows of the default patch and element have loops of their own.
+  const auto in_columns = length == 15  ? short_window_in_columns<Order, 15>
+                          : length == 5 ? short_window_in_columns<Order, 5>
+                                        : window_in_columns<Order, 1>;
   int x = 0;
-  for (; x + 2 * kLanes <= width; x += 2 * kLanes) {
-    window_in_columns<Order, 2>({from.first + x, from.pitch}, length, {out.first + x, out.pitch}, rows);
+  if (length != 15 && length != 5) {
+    for (; x + 2 * kLanes <= width; x += 2 * kLanes) {
+      window_in_columns<Order, 2>({from.first + x, from.pitch}, length, {out.first + x, out.pitch}, rows);
+    }
   }
   for (; x + kLanes <= width; x += kLanes) {
-    window_in_columns<Order, 1>({from.first + x, from.pitch}, length, {out.first + x, out.pitch}, rows);
+    in_columns({from.first + x, from.pitch}, length, {out.first + x, out.pitch}, rows);
   }
   // Not in place: there the width is a multiple of all vectors.
   if (x < width) {
     x = width - kLanes;
-    window_in_columns<Order, 1>({from.first + x, from.pitch}, length, {out.first + x, out.pitch}, rows);
+    in_columns({from.first + x, from.pitch}, length, {out.first + x, out.pitch}, rows);
   }
 }
 

@@ -132,6 +132,7 @@ std::string summary_json(const sim::FlightSummary& s, const SummaryContext& cont
   json["distance_m"] = number(s.distance_m);
   json["progress_m"] = number(s.progress_m);
   json["to_goal_m"] = number(s.to_goal_m);
+  json["bends"] = s.bends;
   json["frames"] = s.frames;
   json["dropped_frames"] = s.dropped_frames;
   json["repeated_frames"] = s.repeated_frames;

@@ -29,6 +29,7 @@ std::string line_of(const Flown& flown) {
   json["seed"] = flown.summary.seed;
   json["outcome"] = static_cast<int>(flown.summary.outcome);
   visit_figures(flown.summary, [&json](const char* name, double value) { json[name] = value; });
+  json["bends"] = flown.summary.bends;
   json["false_stops"] = flown.summary.false_stops;
   json["missed_stops"] = flown.summary.missed_stops;
   json["world"] = flown.context.world;
@@ -47,6 +48,7 @@ Flown flown_of(const std::string& line) {
   visit_figures(flown.summary, [&json](const char* name, double& value) {
     value = json.at(name).is_null() ? sim::kUnknown : json.at(name).get<double>();
   });
+  flown.summary.bends = json.value("bends", 0);  // parts of older programs have none
   flown.summary.false_stops = json.at("false_stops");
   flown.summary.missed_stops = json.at("missed_stops");
   flown.context.world = json.at("world");

@@ -93,7 +93,7 @@ void print_flight(const Flown& flown) {
 constexpr const char* kRunsHeader =
     "seed,outcome,duration_s,distance_m,progress_m,side_clearance_min_m,clearance_min_m,"
     "heading_error_passage_median_deg,heading_error_passage_p95_deg,heading_error_deepest_median_deg,"
-    "heading_error_deepest_p95_deg,sx_jitter,found_fraction,false_stops,missed_stops\n";
+    "heading_error_deepest_p95_deg,sx_jitter,found_fraction,false_stops,missed_stops,bends\n";
 
 std::string cell(double value, const char* format) { return std::isfinite(value) ? shown(value, format) : ""; }
 
@@ -105,7 +105,8 @@ std::string runs_line(const sim::FlightSummary& s) {
         s.heading_error_passage_deg.median, s.heading_error_passage_deg.p95, s.heading_error_deepest_deg.median,
         s.heading_error_deepest_deg.p95, s.sx_jitter, s.found_fraction})
     line.append(",").append(cell(value, "%.4f"));
-  return line + "," + std::to_string(s.false_stops) + "," + std::to_string(s.missed_stops) + "\n";
+  return line + "," + std::to_string(s.false_stops) + "," + std::to_string(s.missed_stops) + "," +
+         std::to_string(s.bends) + "\n";
 }
 
 /// The middle of what is known.
@@ -166,6 +167,7 @@ std::string runs_json(const std::vector<Flown>& runs, const sim::Rate& rate, sim
   median("heading_error_deepest_p95_deg", [](const S& s) { return s.heading_error_deepest_deg.p95; });
   median("sx_jitter", [](const S& s) { return s.sx_jitter; });
   median("found_fraction", [](const S& s) { return s.found_fraction; });
+  median("bends", [](const S& s) { return static_cast<double>(s.bends); });
   median("false_stops", [](const S& s) { return static_cast<double>(s.false_stops); });
   median("missed_stops", [](const S& s) { return static_cast<double>(s.missed_stops); });
   return json.dump(2) + "\n";

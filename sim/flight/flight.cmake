@@ -1,5 +1,6 @@
 # Vehicle, loop, truth, the sensors for the map.
 target_sources(adit_sim PRIVATE
+  flight/bend_count.cpp
   flight/random.cpp
   flight/flight.cpp
   flight/flight_summary.cpp

@@ -44,6 +44,8 @@ void FlightTally::add(const FlightRow& row) {
   clearance_min_m_ = smaller(clearance_min_m_, row.truth.clearance_m);
   side_clearance_min_m_ = smaller(side_clearance_min_m_, row.truth.side_clearance_m);
   side_clearances_m_.push_back(row.truth.side_clearance_m);
+  // Azimuth is to the right of the nose, the world's angles to its left.
+  bend_count_.add(row.vehicle.place, row.vehicle.yaw_rad - row.truth.passage.azimuth_rad);
   const bool holds = row.command.state == HeadingState::kHold;
   false_stop_.add(holds && row.truth.opening_in_sight, row.stamp_s);
   missed_stop_.add(!holds && !row.truth.opening_in_sight, row.stamp_s);
@@ -81,6 +83,7 @@ FlightSummary FlightTally::of(const Flight& flight) const {
   s.distance_m = flight.distance_m();
   s.progress_m = last_truth_.progress_m;
   s.to_goal_m = last_truth_.to_goal_m;
+  s.bends = bend_count_.bends();
   s.frames = frames_;
   s.dropped_frames = dropped_;
   s.repeated_frames = repeated_;

@@ -29,9 +29,9 @@ TEST(Fly, WritesATableASummaryAMapAndFigures) {
   ASSERT_EQ(rows.size(), 31u);
   for (const auto& row : rows) EXPECT_EQ(row.size(), rows[0].size());
   const auto json = nlohmann::json::parse(read_text(folder / "flight/summary.json"));
-  for (const char* key :
-       {"outcome", "distance_m", "duration_s", "side_clearance_min_m", "clearance_min_m", "heading_error_passage_deg",
-        "heading_error_deepest_deg", "sx_jitter", "found_fraction", "false_stops", "missed_stops", "real_time_factor"})
+  for (const char* key : {"outcome", "distance_m", "duration_s", "side_clearance_min_m", "clearance_min_m",
+                          "heading_error_passage_deg", "heading_error_deepest_deg", "sx_jitter", "found_fraction",
+                          "bends", "false_stops", "missed_stops", "real_time_factor"})
     EXPECT_TRUE(json.contains(key)) << key;
   EXPECT_EQ(json["outcome"], "timeout");
   EXPECT_EQ(json["frames"], 30);

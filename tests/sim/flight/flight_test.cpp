@@ -70,6 +70,7 @@ TEST(Flight, FliesThroughABendToTheGoal) {
   EXPECT_GT(summary.dropped_frames, 0);
   EXPECT_LT(summary.heading_error_passage_deg.median, 15.0);
   EXPECT_NEAR(summary.progress_m, summary.distance_m, 5.0);
+  EXPECT_EQ(summary.bends, 1);
 }
 
 /// Every second frame is black; judged with the one before, each of them shows the way.

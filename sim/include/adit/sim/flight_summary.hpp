@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "adit/sim/bend_count.hpp"
 #include "adit/sim/flight.hpp"
 
 namespace adit::sim {
@@ -28,6 +29,7 @@ struct FlightSummary {
   double distance_m = 0.0;       ///< flown
   double progress_m = kUnknown;  ///< along the route; NaN without a layout
   double to_goal_m = kUnknown;   ///< left at the end; NaN or infinity where there is none
+  int bends = 0;                 ///< passed: see BendCount
   std::int64_t frames = 0;
   std::int64_t dropped_frames = 0;
   std::int64_t repeated_frames = 0;
@@ -68,6 +70,7 @@ class FlightTally {
   double sx_squares_ = 0.0;
   std::int64_t sx_steps_ = 0;
   Spell false_stop_, missed_stop_;
+  BendCount bend_count_;
   Truth last_truth_;
 };
 

@@ -5,9 +5,11 @@
 #include <image_transport/image_transport.h>
 #include <ros/ros.h>
 
+#include <atomic>
 #include <memory>
 #include <opencv2/core/mat.hpp>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "adit/io/frame_source.hpp"
@@ -19,11 +21,18 @@ class CameraNode {
  public:
   /// @throws std::runtime_error naming the input or the parameter and what to do.
   CameraNode(ros::NodeHandle nh, ros::NodeHandle private_nh);
+  ~CameraNode();
+  CameraNode(const CameraNode&) = delete;
+  CameraNode& operator=(const CameraNode&) = delete;
 
  private:
   [[nodiscard]] cv::Mat next_pixels();
   void open();
-  void publish();
+  /// A recording's next frame, when its time has come.
+  void play();
+  /// A device's frames as they come, until the end; a device that is gone is asked for again each second.
+  void follow_device();
+  void publish(cv::Mat pixels, const ros::Time& stamp);
 
   ros::NodeHandle nh_;
   adit::node::CameraLaunch launch_;
@@ -36,6 +45,8 @@ class CameraNode {
   image_transport::ImageTransport transport_;
   image_transport::CameraPublisher publisher_;
   ros::WallTimer timer_;
+  std::atomic<bool> has_ended_{false};
+  std::thread reader_;
 };
 
 }  // namespace adit_ros1

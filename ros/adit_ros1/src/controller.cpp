@@ -4,6 +4,7 @@
 #include <std_msgs/String.h>
 
 #include "adit/node/velocity.hpp"
+#include "names.hpp"
 #ifdef ADIT_WITH_MAVROS
 #include <mavros_msgs/PositionTarget.h>
 #endif
@@ -41,16 +42,17 @@ ControllerNode::ControllerNode(ros::NodeHandle nh, ros::NodeHandle private_nh, c
       launch_(launch_parameters<adit::node::ControlLaunch>(private_nh)),
       parameters_(private_nh, fields()),
       updater_(nh, private_nh, name) {
-  cmd_vel_ = nh_.advertise<geometry_msgs::Twist>("cmd_vel", 1);
-  setpoint_velocity_ = nh_.advertise<geometry_msgs::TwistStamped>("setpoint_velocity/cmd_vel", 1);
+  const auto beside = [&](const char* topic) { return name_beside(private_nh, topic); };
+  cmd_vel_ = nh_.advertise<geometry_msgs::Twist>(beside("cmd_vel"), 1);
+  setpoint_velocity_ = nh_.advertise<geometry_msgs::TwistStamped>(beside("setpoint_velocity/cmd_vel"), 1);
 #ifdef ADIT_WITH_MAVROS
-  setpoint_raw_ = nh_.advertise<mavros_msgs::PositionTarget>("setpoint_raw/local", 1);
+  setpoint_raw_ = nh_.advertise<mavros_msgs::PositionTarget>(beside("setpoint_raw/local"), 1);
 #endif
-  latency_ = nh_.advertise<std_msgs::Float64>("latency", 10);
-  state_ = nh_.advertise<std_msgs::String>("controller_state", 1, true);
+  latency_ = nh_.advertise<std_msgs::Float64>(beside("latency"), 10);
+  state_ = nh_.advertise<std_msgs::String>(beside("controller_state"), 1, true);
   const auto no_delay = ros::TransportHints().tcpNoDelay();
-  open_space_ = nh_.subscribe("open_space", 10, &ControllerNode::take_open_space, this, no_delay);
-  heading_ = nh_.subscribe("heading", 1, &ControllerNode::take_heading, this, no_delay);
+  open_space_ = nh_.subscribe(beside("open_space"), 10, &ControllerNode::take_open_space, this, no_delay);
+  heading_ = nh_.subscribe(beside("heading"), 1, &ControllerNode::take_heading, this, no_delay);
   updater_.setHardwareID("none");
   updater_.add("controller", [this](diagnostic_updater::DiagnosticStatusWrapper& status) {
     if (!ros::Time::now().isZero()) fill(status, control_.diagnosis(now()));

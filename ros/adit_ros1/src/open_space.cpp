@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "adit/io/topic_pictures.hpp"
+#include "names.hpp"
 #include "pictures.hpp"
 
 namespace adit_ros1 {
@@ -20,15 +21,16 @@ OpenSpaceNode::OpenSpaceNode(ros::NodeHandle nh, ros::NodeHandle private_nh, con
       parameters_(private_nh, fields()),
       updater_(nh, private_nh, name),
       transport_(nh) {
-  open_space_ = nh_.advertise<adit_ros1::OpenSpace>("open_space", 1);
-  heading_ = nh_.advertise<geometry_msgs::TwistStamped>("heading", 1);
-  direction_ = nh_.advertise<geometry_msgs::PoseStamped>("direction", 1);
-  scattering_depth_ = nh_.advertise<sensor_msgs::Image>("scattering_depth", 1);
-  overlay_ = nh_.advertise<sensor_msgs::Image>("overlay", 1);
+  const auto beside = [&](const char* topic) { return name_beside(private_nh, topic); };
+  open_space_ = nh_.advertise<adit_ros1::OpenSpace>(beside("open_space"), 1);
+  heading_ = nh_.advertise<geometry_msgs::TwistStamped>(beside("heading"), 1);
+  direction_ = nh_.advertise<geometry_msgs::PoseStamped>(beside("direction"), 1);
+  scattering_depth_ = nh_.advertise<sensor_msgs::Image>(beside("scattering_depth"), 1);
+  overlay_ = nh_.advertise<sensor_msgs::Image>(beside("overlay"), 1);
   camera_info_ = nh_.subscribe<sensor_msgs::CameraInfo>(
-      "camera_info", 1,
+      beside("camera_info"), 1,
       [this](const sensor_msgs::CameraInfoConstPtr& info) { perception_.take(camera_info_of(*info)); });
-  imu_ = nh_.subscribe<sensor_msgs::Imu>("imu", 10, [this](const sensor_msgs::ImuConstPtr& imu) {
+  imu_ = nh_.subscribe<sensor_msgs::Imu>(beside("imu"), 10, [this](const sensor_msgs::ImuConstPtr& imu) {
     perception_.take_yaw_rate(imu->angular_velocity.z, time_of(imu->header.stamp));
   });
   updater_.setHardwareID("none");
@@ -54,11 +56,11 @@ FieldServer::Fields OpenSpaceNode::fields() {
 void OpenSpaceNode::subscribe() {
   const auto no_delay = ros::TransportHints().tcpNoDelay();
   if (launch_.image_transport == "compressed") {
-    compressed_ =
-        nh_.subscribe(nh_.resolveName("image") + "/compressed", 1, &OpenSpaceNode::take_compressed, this, no_delay);
+    compressed_ = nh_.subscribe(nh_.resolveName(name_beside(private_nh_, "image")) + "/compressed", 1,
+                                &OpenSpaceNode::take_compressed, this, no_delay);
     return;
   }
-  image_ = transport_.subscribe("image", 1, &OpenSpaceNode::take_image, this,
+  image_ = transport_.subscribe(name_beside(private_nh_, "image"), 1, &OpenSpaceNode::take_image, this,
                                 image_transport::TransportHints(launch_.image_transport, no_delay, private_nh_));
 }
 

@@ -4,9 +4,9 @@ import assert from "node:assert/strict";
 import http from "node:http";
 import net from "node:net";
 import { copyFileSync, readFileSync } from "node:fs";
-import { join } from "node:path";
-import { barriers, closeBrowser, drawnShare, isWiderThanScreen, openBrowser, openPage, run, scratch, serve, source, until }
-  from "./browser.mjs";
+import { dirname, join } from "node:path";
+import { barriers, closeBrowser, drawnShare, isWiderThanScreen, openBrowser, openPage, program, run, scratch, serve, source,
+  until } from "./browser.mjs";
 
 const clip = join(source, "data/clip.avi");
 
@@ -168,6 +168,23 @@ test("fits a narrow phone and is open to screen readers and keyboards (axe-core)
   assert.deepEqual(page.faults, []);
   await page.context().close();
   await view.end();
+});
+
+// The driver's part is played by a library that is preloaded.
+test("a camera is seen live, and when it is unplugged that is told", async () => {
+  const driver = { LD_PRELOAD: join(dirname(program), "tests/camera/adit_v4l2_stand_in.so"), ADIT_STAND_IN_UNPLUG_AFTER: "300" };
+  Object.assign(process.env, driver);
+  const view = await serve("view", "/dev/video0", "--method", "paper");
+  for (const name of Object.keys(driver)) delete process.env[name];
+  const page = await openPage(view.address);
+  await until(() => page.evaluate(() => document.getElementById("stream").naturalWidth === 640), "a picture comes");
+  await until(async () => await page.locator("#status").textContent() === "found", "the gauges move");
+  await until(async () => /has ended/.test(await page.locator("#line").textContent()), "the page says so", 60);
+  assert.ok((await state(view.address)).frames > 100);
+  assert.deepEqual(page.faults, []);
+  await page.context().close();
+  assert.equal((await view.end()).code, 0);
+  assert.match(view.said(), /\/dev\/video0: the camera gave no more frames; unplugged\?/);
 });
 
 test("slow viewers never slow the perception", async t => {

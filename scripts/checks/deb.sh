@@ -16,7 +16,7 @@ printf '%s\n' "${packages[@]##*/}"
 [ ${#packages[@]} -eq 4 ]
 tally 1 0 0
 
-quietly lintian lintian --allow-root --fail-on error --info --tag-display-limit 0 "${packages[@]}"
+quietly lintian lintian --allow-root --fail-on error,warning --info --tag-display-limit 0 "${packages[@]}"
 grep -E '^[EW]:' build/lintian.log || echo "lintian: no errors, no warnings"
 tally 1 0 0
 

@@ -28,7 +28,12 @@ $python -m venv --without-pip --system-site-packages "$venv"
 site=$("$venv/bin/python" -c 'import sysconfig; print(sysconfig.get_path("platlib"))')
 mapfile -t words < <("$venv/bin/python" - <<'EOF'
 import tomllib
-told = tomllib.load(open("pyproject.toml", "rb"))["tool"]["scikit-build"]
+whole = tomllib.load(open("pyproject.toml", "rb"))
+told = whole["tool"]["scikit-build"]
+# The back end refuses a key that it does not know: these are in the schema of its settings from version 0.10 on.
+known = {"cmake": {"version", "define"}, "build": {"targets"}, "install": {"components"}, "wheel": {"packages"}}
+assert all(part in known and set(keys) <= known[part] for part, keys in told.items()), told
+assert any(one.startswith("scikit-build-core>=0.10") for one in whole["build-system"]["requires"]), whole["build-system"]
 assert told["install"]["components"] == ["python"] and told["build"]["targets"] == ["adit_python"], told
 print(*(f"-D{name}={value}" for name, value in told["cmake"]["define"].items()), sep="\n")
 EOF

@@ -11,6 +11,7 @@ fi
 export PATH=/usr/bin:$PATH ROS_IP=127.0.0.1 ROS_HOSTNAME=127.0.0.1 ROS_HOME=$PWD/build/ros1/home IGN_IP=127.0.0.1
 export ADIT_PROGRAM=$PWD/build/release/adit ADIT_COURSES=$PWD/courses
 export ADIT_CLIP=$PWD/data/clip.avi ADIT_PICTURE=$PWD/data/tunnel.jpg
+export ADIT_STAND_IN=$PWD/build/release/tests/camera/adit_v4l2_stand_in.so
 build_preset release -DADIT_SIM=ON
 echo "ros: ros/adit_ros2 is not compiled, here or anywhere: there is no ROS 2 in Debian (see its README)"
 
@@ -149,13 +150,28 @@ export ADIT_SOAK_S=${ADIT_SOAK_S:-120}
 beside=()
 run_suite "$space" soak $((ADIT_SOAK_S + 600)) > "$space/soak.out" 2>&1 &
 beside+=($!)
-run_suites "$space" s_bend bag zero_copy > "$space/beside.out" 2>&1 &
+run_suites "$space" s_bend bag zero_copy camera > "$space/beside.out" 2>&1 &
 beside+=($!)
 run_suites "$space" topics graph signs faults clock inputs parameters watchdog recording || status=1
 for one in "${beside[@]}"; do wait "$one" || status=1; done
 cat "$space/beside.out" "$space/soak.out"
 # Then nothing else of ours runs.
 run_suites "$space" latency latency_processes || status=1
+
+# Each command of the READMEs, in that workspace.
+ADIT_SPACE=$PWD/$space
+export ADIT_SPACE
+docs_run() {
+  local begin=$SECONDS
+  quietly ros1-docs python3 scripts/docs_commands.py --phase ros build/release/adit docs/ros.md ros/adit_ros1/README.md \
+    "$@" || return 1
+  echo "$(tail -n 1 build/ros1-docs.log) ($((SECONDS - begin)) s)"
+}
+if scripts/setup --ros --check gz; then
+  judged "a command of the docs does not run" docs_run gz/README.md
+else
+  judged "a command of the docs does not run" docs_run
+fi
 
 # The install space: its launch file finds its nodelets, and commands come.
 enter "$space/install/setup.sh"

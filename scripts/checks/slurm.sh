@@ -95,6 +95,12 @@ diff -rq --exclude='runs.part-*' --exclude=summary.json --exclude=made_by.json -
   "$work/array"
 tally 2 0 0
 
+# What docs/scale.md shows, by the same Slurm and by GNU parallel.
+begin=$SECONDS
+quietly slurm-docs python3 scripts/docs_commands.py --phase slurm "$adit" docs/scale.md
+echo "$(tail -n 1 build/slurm-docs.log) ($((SECONDS - begin)) s)"
+tally 1 0 0
+
 # GNU parallel, by the same parts; a part that is lost is made again.
 if command -v parallel >/dev/null; then
   fly_few=("${fly[@]}")

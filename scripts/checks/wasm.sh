@@ -1,9 +1,11 @@
 #!/usr/bin/env bash
 # The core in WebAssembly and the playground's page: a video dropped on it in headless Chromium.
 . "$(dirname "${BASH_SOURCE[0]}")/prelude.sh"
-quietly playground scripts/playground build/playground
-ls -l build/playground/adit.js
 build_preset release -DADIT_SIM=ON
+# scripts/playground, as the docs tell readers to call it.
+rm -rf build/playground
+quietly playground python3 scripts/docs_commands.py --phase wasm build/release/adit docs/see.md
+ls -l build/playground/adit.js
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 

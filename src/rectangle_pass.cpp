@@ -21,7 +21,8 @@ std::size_t pitch_of(int width, int reach_u) {
 
 std::size_t RectanglePass::bytes_needed(int width, int height, const StructuringElement& element) noexcept {
   const int rows = 2 * clipped(element.height() / 2, height) + 1;
-  return pitch_of(width, clipped(element.width() / 2, width)) * (3 * kBatch + 1 + static_cast<std::size_t>(rows));
+  const std::size_t pitch = pitch_of(width, clipped(element.width() / 2, width));
+  return pitch * (3 * batch_of(pitch) + 1 + static_cast<std::size_t>(rows));
 }
 
 RectanglePass::RectanglePass(Order order, int width, int height, const StructuringElement& element,
@@ -32,11 +33,12 @@ RectanglePass::RectanglePass(Order order, int width, int height, const Structuri
       reach_u_(clipped(element.width() / 2, width)),
       reach_v_(clipped(element.height() / 2, height)),
       pitch_(pitch_of(width, reach_u_)),
+      batch_(batch_of(pitch_)),
       source_(work),
-      doubled_{work + kBatch * pitch_, work + 2 * kBatch * pitch_},
-      running_(work + 3 * kBatch * pitch_),
-      block_(work + (3 * kBatch + 1) * pitch_) {
-  std::memset(source_, order_.identity, kBatch * pitch_);
+      doubled_{work + batch_ * pitch_, work + 2 * batch_ * pitch_},
+      running_(work + 3 * batch_ * pitch_),
+      block_(work + (3 * batch_ + 1) * pitch_) {
+  std::memset(source_, order_.identity, batch_ * pitch_);
   std::memset(running_, order_.identity, pitch_);
   // Rows above the plane: they fill the head of the first block and never win.
   std::memset(block_, order_.identity, static_cast<std::size_t>(reach_v_) * pitch_);
@@ -44,7 +46,7 @@ RectanglePass::RectanglePass(Order order, int width, int height, const Structuri
 }
 
 void RectanglePass::advance(PlaneView out) noexcept {
-  if (++pending_ == kBatch) take_pending(out);
+  if (++pending_ == batch_) take_pending(out);
 }
 
 void RectanglePass::finish(PlaneView out) noexcept {

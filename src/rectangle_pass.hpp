@@ -1,6 +1,8 @@
 // Large rectangles: the best value over one costs the same whatever its height. Internal to the morphology.
 #pragma once
 
+#include <algorithm>
+
 #include "band_pass.hpp"
 
 namespace adit {
@@ -33,16 +35,22 @@ class RectanglePass {
   }
   void close_block() noexcept;
 
-  // Rows go through the horizontal windows together: a row alone would wait for its own last store at every step.
-  static constexpr std::size_t kBatch = 8;
+  // Rows go through the horizontal windows together: a short row alone would wait for its own last store at every step.
+  // No more than a level-1 cache holds of them three times over.
+  static constexpr std::size_t kBatchBytes = 8 * 1024;
+  static constexpr std::size_t kBatchMax = 8;
+  [[nodiscard]] static std::size_t batch_of(std::size_t pitch) noexcept {
+    return std::clamp<std::size_t>(kBatchBytes / pitch, 1, kBatchMax);
+  }
   Order order_;
   int width_;
   int height_;
   int reach_u_;
   int reach_v_;
   std::size_t pitch_;
+  std::size_t batch_;        ///< rows
   std::size_t pending_ = 0;  ///< rows at source_ that wait for their windows
-  std::uint8_t* source_;     ///< kBatch rows, each with reach_u identity values at both ends
+  std::uint8_t* source_;     ///< batch rows, each with reach_u identity values at both ends
   std::uint8_t* doubled_[2];
   std::uint8_t* running_;  ///< best of the present block's rows so far
   std::uint8_t* block_;    ///< a block of 2 * reach_v + 1 rows: behind the present one, suffixes of the last block

@@ -172,7 +172,7 @@ test("fits a narrow phone and is open to screen readers and keyboards (axe-core)
 
 // The driver's part is played by a library that is preloaded.
 test("a camera is seen live, and when it is unplugged that is told", async () => {
-  const driver = { LD_PRELOAD: join(dirname(program), "tests/camera/adit_v4l2_stand_in.so"), ADIT_STAND_IN_UNPLUG_AFTER: "300" };
+  const driver = { LD_PRELOAD: join(dirname(program), "tests/camera/adit_v4l2_stand_in.so"), ADIT_STAND_IN_UNPLUG_AFTER: "600" };
   Object.assign(process.env, driver);
   const view = await serve("view", "/dev/video0", "--method", "paper");
   for (const name of Object.keys(driver)) delete process.env[name];

@@ -27,8 +27,8 @@ class Camera(unittest.TestCase):
         self.assertGreater(len(stamps), 20)
         self.assertTrue(all(b > a for a, b in zip(stamps, stamps[1:])), stamps)
         self.assertIsNotNone(answers.wait(lambda m: m.status == OpenSpace.FOUND), "the disc was not found")
-        self.assertIsNotNone(said.wait(lambda m: m.level == Log.ERROR and "/dev/video0: the camera gave no more frames" in m.msg),
-                             "nobody said that it is gone")
+        self.assertIsNotNone(said.wait(lambda m: m.level == Log.ERROR and "/dev/video0: the camera gave no more frames" in m.msg,
+                                       60), "nobody said that it is gone")
         self.assertIsNotNone(said.wait(lambda m: m.level == Log.WARN and "/dev/video0: no such camera" in m.msg),
                              "nobody asked for it again")
         count = len(images.all())

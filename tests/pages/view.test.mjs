@@ -259,9 +259,11 @@ test("on another address it wants its token", async () => {
 });
 
 test("a flight is seen while it is flown, from above too", async () => {
-  const view = await serve("fly", "s_bend", "--time", "1.5", "--view", "--quiet");
+  // Long enough that the page is there before the flight is over: who comes later is shown no settings.
+  const view = await serve("fly", "s_bend", "--time", "8", "--view", "--quiet");
   const page = await openPage(view.address);
   await until(async () => await page.locator("#plan-section").isVisible(), "the plan is there", 60);
+  await until(() => page.getByLabel("cluster_count").isVisible(), "so are the settings");
   await until(async () => await drawnShare(page, "#plan") > 0.01, "the world is drawn");
   await until(() => page.evaluate(() => document.getElementById("stream").naturalWidth > 0), "a picture comes");
   await until(async () => /s_bend.*timeout/.test(await page.locator("#line").textContent()), "it says how it ended", 120);

@@ -9,11 +9,8 @@ if ! quietly aarch64-sysroot scripts/aarch64_sysroot build/aarch64-sysroot; then
 fi
 tail -n 1 build/aarch64-sysroot.log
 sysroot=$PWD/build/aarch64-sysroot/root
-begin=$SECONDS
-quietly aarch64-program-configure cmake --preset aarch64 -B build/aarch64-program -DADIT_CORE_ONLY=OFF -DADIT_SIM=OFF \
+build_folder=aarch64-program build_targets=adit_program build_preset aarch64 -DADIT_CORE_ONLY=OFF -DADIT_SIM=OFF \
   -DADIT_BENCH=OFF -DADIT_TESTS=OFF -DADIT_WERROR=OFF "-DADIT_AARCH64_SYSROOT=$sysroot"
-quietly aarch64-program-build cmake --build build/aarch64-program --parallel "$jobs" --target adit_program
-echo "built build/aarch64-program in $((SECONDS - begin)) s"
 build_preset release -DADIT_SIM=ON
 
 there() {

@@ -3,10 +3,7 @@
 . "$(dirname "${BASH_SOURCE[0]}")/prelude.sh"
 export ASAN_OPTIONS=detect_leaks=1
 seconds=${ADIT_FUZZ_SECONDS:-60}
-begin=$SECONDS
-quietly fuzz-configure cmake --preset fuzz -DADIT_WERROR=ON
-quietly fuzz-build cmake --build build/fuzz --target fuzz_targets --parallel "$jobs"
-echo "built build/fuzz in $((SECONDS - begin)) s"
+build_targets=fuzz_targets build_preset fuzz
 
 # fuzz NAME: new inputs go to a folder of their own; a crash leaves its input in build/fuzz/findings.
 fuzz() {

@@ -25,13 +25,23 @@ quietly() {
   return 1
 }
 
-# build_preset PRESET [CMAKE ARGUMENT...]: configures and builds build/PRESET, warnings being errors.
+# build_preset PRESET [CMAKE ARGUMENT...]: configures and builds build/PRESET, warnings being errors. Before the call,
+# build_folder=NAME puts it into build/NAME, and build_targets="A B" builds these alone.
 build_preset() {
   local preset=$1 begin=$SECONDS
+  local folder=${build_folder:-$preset}
   shift
-  quietly "$preset-configure" cmake --preset "$preset" -DADIT_WERROR=ON "$@"
-  quietly "$preset-build" cmake --build "build/$preset" --parallel "$jobs"
-  echo "built build/$preset in $((SECONDS - begin)) s"
+  quietly "$folder-configure" cmake --preset "$preset" -B "build/$folder" -DADIT_WERROR=ON "$@"
+  # shellcheck disable=SC2086 # the targets are words
+  quietly "$folder-build" cmake --build "build/$folder" --parallel "$jobs" ${build_targets:+--target $build_targets}
+  echo "built build/$folder in $((SECONDS - begin)) s"
+}
+
+# What the address and undefined-behaviour sanitizers are told, by which a step takes 20.
+under_sanitizers() {
+  export ASAN_OPTIONS=strict_string_checks=1:detect_stack_use_after_return=1
+  export UBSAN_OPTIONS=print_stacktrace=1
+  export ADIT_TEST_GRID=small
 }
 
 # A count in the head of ctest's JUnit file.

@@ -56,15 +56,8 @@ ADIT_LANE Floats exp2_lanes(const Floats& any) {
   Ints i = truncated(shifted);
   i += shifted < __builtin_convertvector(i, Floats);
   const Floats f = x - __builtin_convertvector(i, Floats);
-  Floats p = all_of(1.5403530e-4f);
-  p = p * f + 1.3333558e-3f;
-  p = p * f + 9.6181291e-3f;
-  p = p * f + 5.5504109e-2f;
-  p = p * f + 2.4022651e-1f;
-  p = p * f + 6.9314718e-1f;
-  p = p * f + 1.0f;
   const Ints power = (i + 127) << 23;
-  return p * reinterpret_cast<const Floats&>(power);
+  return exp2_series(f) * reinterpret_cast<const Floats&>(power);
 }
 ADIT_LANE Floats exp_lanes(const Floats& x) { return exp2_lanes(x * 1.44269504f); }
 ADIT_LANE Floats log2_lanes(const Floats& x) {
@@ -72,14 +65,7 @@ ADIT_LANE Floats log2_lanes(const Floats& x) {
   const Ints e = (b - 0x3f3504f3) >> 23;
   const Ints mantissa = b - (e << 23);
   const Floats& m = reinterpret_cast<const Floats&>(mantissa);
-  const Floats t = (m - 1.0f) / (m + 1.0f);
-  const Floats t2 = t * t;
-  Floats p = all_of(0.3206f);
-  p = p * t2 + 0.41219859f;
-  p = p * t2 + 0.57707802f;
-  p = p * t2 + 0.96179669f;
-  p = p * t2 + 2.88539008f;
-  return p * t + __builtin_convertvector(e, Floats);
+  return log2_series(m) + __builtin_convertvector(e, Floats);
 }
 
 /// One bit a lane of flags that are 0 or -1.

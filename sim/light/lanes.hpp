@@ -30,35 +30,43 @@ ADIT_LANE float clamped(float x, float low, float high) {
   return x > high ? high : x;
 }
 
-/// 2^x for |x| < 120, relative error below 3e-7 (Taylor series of degree 6 on [-0.5, 0.5]).
-ADIT_LANE float exp2_lane(float x) {
-  x = clamped(x, -120.0f, 120.0f);
-  const std::int32_t i = floor_int(x + 0.5f);
-  const float f = x - static_cast<float>(i);
-  float p = 1.5403530e-4f;
-  p = p * f + 1.3333558e-3f;
+/// 2^f for f in [-0.5, 0.5], of a number or of lanes of them: Taylor series of degree 6.
+template <class Real>
+ADIT_LANE Real exp2_series(const Real& f) {
+  Real p = f * 1.5403530e-4f + 1.3333558e-3f;
   p = p * f + 9.6181291e-3f;
   p = p * f + 5.5504109e-2f;
   p = p * f + 2.4022651e-1f;
   p = p * f + 6.9314718e-1f;
-  p = p * f + 1.0f;
-  return p * bits_to_float((i + 127) << 23);
+  return p * f + 1.0f;
+}
+/// log2 of m in [1/sqrt 2, sqrt 2], likewise: series of atanh.
+template <class Real>
+ADIT_LANE Real log2_series(const Real& m) {
+  const Real t = (m - 1.0f) / (m + 1.0f);
+  const Real t2 = t * t;
+  Real p = t2 * 0.3206f + 0.41219859f;
+  p = p * t2 + 0.57707802f;
+  p = p * t2 + 0.96179669f;
+  p = p * t2 + 2.88539008f;
+  return p * t;
+}
+
+/// 2^x for |x| < 120, relative error below 3e-7.
+ADIT_LANE float exp2_lane(float x) {
+  x = clamped(x, -120.0f, 120.0f);
+  const std::int32_t i = floor_int(x + 0.5f);
+  const float f = x - static_cast<float>(i);
+  return exp2_series(f) * bits_to_float((i + 127) << 23);
 }
 ADIT_LANE float exp_lane(float x) { return exp2_lane(x * 1.44269504f); }
 
-/// log2 of x > 0, absolute error below 2e-6 (series of atanh on [1/sqrt 2, sqrt 2]).
+/// log2 of x > 0, absolute error below 2e-6.
 ADIT_LANE float log2_lane(float x) {
   const std::int32_t b = float_to_bits(x);
   const std::int32_t e = (b - 0x3f3504f3) >> 23;
   const float m = bits_to_float(b - (e << 23));
-  const float t = (m - 1.0f) / (m + 1.0f);
-  const float t2 = t * t;
-  float p = 0.3206f;
-  p = p * t2 + 0.41219859f;
-  p = p * t2 + 0.57707802f;
-  p = p * t2 + 0.96179669f;
-  p = p * t2 + 2.88539008f;
-  return p * t + static_cast<float>(e);
+  return log2_series(m) + static_cast<float>(e);
 }
 
 ADIT_LANE std::uint32_t mixed(std::uint32_t h) {

@@ -48,16 +48,19 @@ static int open_device(void) {
   return camera.device;
 }
 
+static int is_unplugged(void) {
+  const char* after = told("ADIT_STAND_IN_UNPLUG_AFTER");
+  return after && camera.sequence >= (unsigned)atoi(after);
+}
+
+static int refuse(int reason) {
+  errno = reason;
+  return -1;
+}
+
 static int open_as(const char* own_name, const char* path, int flags, mode_t mode) {
   const char* device = told("ADIT_STAND_IN_DEVICE");
-  if (strcmp(path, device ? device : "/dev/video0") == 0) {
-    const char* after = told("ADIT_STAND_IN_UNPLUG_AFTER");
-    if (after && camera.sequence >= (unsigned)atoi(after)) {
-      errno = ENOENT;
-      return -1;
-    }
-    return open_device();
-  }
+  if (strcmp(path, device ? device : "/dev/video0") == 0) return is_unplugged() ? refuse(ENOENT) : open_device();
   return ((int (*)(const char*, int, mode_t))next(own_name))(path, flags, mode);
 }
 
@@ -104,11 +107,6 @@ static void draw(uint8_t* yuyv, unsigned sequence) {
     }
 }
 
-static int refuse(int reason) {
-  errno = reason;
-  return -1;
-}
-
 static int describe(struct v4l2_capability* told_of) {
   memset(told_of, 0, sizeof *told_of);
   strcpy((char*)told_of->driver, "stand_in");
@@ -153,8 +151,7 @@ static int take_back(struct v4l2_buffer* buffer) {
 }
 
 static int give(struct v4l2_buffer* buffer) {
-  const char* after = told("ADIT_STAND_IN_UNPLUG_AFTER");
-  if (after && camera.sequence >= (unsigned)atoi(after)) return refuse(ENODEV);
+  if (is_unplugged()) return refuse(ENODEV);
   uint64_t periods;
   if (camera.queued == 0 || read(camera.device, &periods, sizeof periods) != sizeof periods) return refuse(EAGAIN);
   buffer->index = camera.queue[camera.first];

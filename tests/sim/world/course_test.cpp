@@ -12,22 +12,10 @@
 
 #include "adit/sim/scene.hpp"
 #include "adit/sim/world_error.hpp"
+#include "short_drift.hpp"
 
 namespace adit::sim {
 namespace {
-
-CourseConfig short_drift() {
-  CourseConfig config;
-  config.name = "short_drift";
-  config.run_out_m = 4.0;
-  config.cell_m = 0.2;
-  PassagePlan plan;
-  plan.to = "goal";
-  plan.end = NodeKind::kGoal;
-  plan.moves = {{.straight_m = 8.0}, {.turn_deg = 60.0, .radius_m = 8.0}};
-  config.passages = {plan};
-  return config;
-}
 
 /// All bytes that a renderer or a collision test could look at.
 std::string bytes_of(const Mesh& mesh) {

@@ -7,22 +7,10 @@
 
 #include "adit/sim/course.hpp"
 #include "adit/sim/scene.hpp"
+#include "short_drift.hpp"
 
 namespace adit::sim {
 namespace {
-
-World drift() {
-  CourseConfig config;
-  config.name = "drift";
-  config.run_out_m = 4.0;
-  config.cell_m = 0.2;
-  PassagePlan plan;
-  plan.to = "goal";
-  plan.end = NodeKind::kGoal;
-  plan.moves = {{.straight_m = 16.0}};
-  config.passages = {plan};
-  return build_course(config);
-}
 
 /// Unit, turned from the start's heading to the left and up.
 Eigen::Vector3f direction(const World& world, double left_rad, double up_rad) {
@@ -32,7 +20,7 @@ Eigen::Vector3f direction(const World& world, double left_rad, double up_rad) {
 }
 
 TEST(Door, NoRayGetsPastIt) {
-  World world = drift();
+  World world = build_course(short_drift());
   const Eigen::Vector3f eye = world.start.place + Eigen::Vector3f(0.0f, 0.0f, 1.0f);
   const RayScene open(world.mesh);
   const auto out = open.closest_hit(eye, direction(world, M_PI, 0.0));
@@ -57,7 +45,7 @@ TEST(Door, NoRayGetsPastIt) {
 }
 
 TEST(Door, TheWayAheadStaysAsItWas) {
-  World world = drift();
+  World world = build_course(short_drift());
   const Eigen::Vector3f eye = world.start.place + Eigen::Vector3f(0.0f, 0.0f, 1.0f);
   const RayScene open(world.mesh);
   World with_door = world;

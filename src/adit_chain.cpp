@@ -128,8 +128,8 @@ void AditChain::find(const FinderConfig& config, const Camera& camera, OpenSpace
   const double floor_share = NoiseFloor::floor_share(noise_share_);
   if (floor_share > 0.0) blur(cleaned_, filter_);  // before least and most are picked, which would be noise
   clean();
-  note_levels(out);
-  if (floor_share > 0.0) noise_floor_.take_off(floor_share, cleaned_);
+  const LevelRange range = note_levels(out);
+  if (floor_share > 0.0) noise_floor_.take_off(floor_share, range.least, range.most, cleaned_);
   const VeilSight veil = veil_fit_.judge(cleaned_);
   note_flags(config, veil, out);
   const bool veil_off = out.veil_fraction >= kVeilOffMin;
@@ -257,7 +257,7 @@ void AditChain::weigh(bool by_cusp) noexcept {
   }
 }
 
-void AditChain::note_levels(OpenSpace& out) noexcept {
+AditChain::LevelRange AditChain::note_levels(OpenSpace& out) const noexcept {
   std::int16_t least = kLevelPartsMax, most = 0;  // by hand: std::minmax_element does not become vector code
   for (const std::int16_t level : cleaned_.values) {
     least = level < least ? level : least;
@@ -267,6 +267,7 @@ void AditChain::note_levels(OpenSpace& out) noexcept {
   out.brightest_level = most / kLevelParts;
   out.threshold_level = out.darkest_level;
   out.atmospheric_light = static_cast<double>(most) / kLevelParts;
+  return {least, most};
 }
 
 void AditChain::note_openings(const FinderConfig& config, const Camera& camera, const VeilSight& veil, bool veil_off,

@@ -37,7 +37,10 @@ class AditChain {
   [[nodiscard]] Status judge_levels(const FinderConfig& config, const OpenSpace& out) const noexcept;
   void weigh(bool by_cusp) noexcept;
   void rank_by_cusp() noexcept;
-  void note_levels(OpenSpace& out) noexcept;
+  struct LevelRange {
+    std::int16_t least, most;  ///< parts of a grey level
+  };
+  LevelRange note_levels(OpenSpace& out) const noexcept;
   void note_flags(const FinderConfig& config, const VeilSight& veil, OpenSpace& out) const noexcept;
   void note_openings(const FinderConfig& config, const Camera& camera, const VeilSight& veil, bool veil_off,
                      OpenSpace& out) noexcept;

@@ -11,6 +11,60 @@ constexpr int kRounds = 8;
 /// Residuals, natural logarithms, below which a weight grows no more: one grey level in twenty.
 constexpr double kResidualMin = 0.05;
 
+/// Two columns of a row; the compiler's own loops over columns become no vector code worth the name.
+using Pair = double __attribute__((vector_size(16)));
+/// A sample's terms, its value, and a column of nothing: an even number.
+constexpr std::size_t kPairs = (kLobeTerms + 2) / 2;
+using Columns = std::array<Pair, kPairs>;
+using Sums = std::array<Columns, kLobeTerms>;
+/// Samples that are weighed before they are summed.
+constexpr std::size_t kBatch = 32;
+
+/// Weighted products of terms 2 * Of and 2 * Of + 1 with all from there on and with the value. Two terms at a time:
+/// their sums all lie in registers.
+template <std::size_t Of>
+void add_products(const Columns* samples, const double* weights, std::size_t count, Sums& sums) noexcept {
+  Columns one = sums[2 * Of], other = sums[2 * Of + 1];
+  for (std::size_t at = 0; at < count; ++at) {
+    const Columns& sample = samples[at];
+    const Pair by = weights[at] * sample[Of];
+    const Pair by_one{by[0], by[0]}, by_other{by[1], by[1]};
+    for (std::size_t j = Of; j < kPairs; ++j) {
+      one[j] += by_one * sample[j];
+      other[j] += by_other * sample[j];
+    }
+  }
+  sums[2 * Of] = one;
+  sums[2 * Of + 1] = other;
+}
+
+/// The sums of the normal equations of the samples, those nearest the lobe `c` weighing most. Without a lobe, all
+/// alike.
+Sums normal_sums(const std::vector<LobeTerms>& terms, const std::vector<double>& values, double below,
+                 const LobeTerms* c) noexcept {
+  const double share_of_side[] = {1.0 - below, below};
+  Sums sums{};
+  std::array<Columns, kBatch> samples;
+  std::array<double, kBatch> weights;
+  weights.fill(1.0);
+  for (std::size_t from = 0; from < terms.size(); from += kBatch) {
+    const std::size_t count = std::min(kBatch, terms.size() - from);
+    for (std::size_t i = 0; i < count; ++i) {
+      const LobeTerms& t = terms[from + i];
+      const double value = values[from + i];
+      samples[i] = {Pair{t[0], t[1]}, Pair{t[2], t[3]}, Pair{t[4], t[5]}, Pair{value, 0.0}};
+      if (c == nullptr) continue;
+      const double rest = value - lobe_at(*c, t);
+      // From a table: which side a sample lies on is as good as random, and a branch would be guessed wrongly.
+      weights[i] = share_of_side[rest > 0.0 ? 1 : 0] / std::max(std::abs(rest), kResidualMin);
+    }
+    add_products<0>(samples.data(), weights.data(), count, sums);
+    add_products<1>(samples.data(), weights.data(), count, sums);
+    add_products<2>(samples.data(), weights.data(), count, sums);
+  }
+  return sums;
+}
+
 /// Solves normal equations; a pivot that vanishes gives 0.
 template <std::size_t N>
 std::array<double, N> solved(std::array<std::array<double, N>, N> a, std::array<double, N> b) noexcept {
@@ -47,20 +101,12 @@ LobeTerms lobe_terms(const Camera& camera, double x, double y, Pixel at) noexcep
 LobeTerms fit_lobe(const std::vector<LobeTerms>& terms, const std::vector<double>& values, double below) noexcept {
   LobeTerms c{};
   for (int round = 0; round < kRounds; ++round) {
-    std::array<LobeTerms, kLobeTerms> normal{};
-    LobeTerms right{};
-    for (std::size_t at = 0; at < terms.size(); ++at) {
-      const LobeTerms& t = terms[at];
-      double weight = 1.0;
-      if (round > 0) {
-        const double rest = values[at] - lobe_at(c, t);
-        weight = (rest > 0.0 ? below : 1.0 - below) / std::max(std::abs(rest), kResidualMin);
-      }
-      for (std::size_t i = 0; i < kLobeTerms; ++i) {
-        const double wt = weight * t[i];
-        for (std::size_t j = i; j < kLobeTerms; ++j) normal[i][j] += wt * t[j];
-        right[i] += wt * values[at];
-      }
+    const Sums sums = normal_sums(terms, values, below, round > 0 ? &c : nullptr);
+    std::array<LobeTerms, kLobeTerms> normal;
+    LobeTerms right;
+    for (std::size_t i = 0; i < kLobeTerms; ++i) {
+      for (std::size_t j = 0; j < kLobeTerms; ++j) normal[i][j] = sums[i][j / 2][j % 2];
+      right[i] = sums[i][kPairs - 1][0];
     }
     for (std::size_t i = 0; i < kLobeTerms; ++i) {
       normal[i][i] += 1e-6;

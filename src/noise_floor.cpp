@@ -1,7 +1,9 @@
 #include "noise_floor.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdlib>
 #include <numbers>
 
 namespace adit {
@@ -24,15 +26,19 @@ NoiseFloor::NoiseFloor(double gamma) : light_of_(kLevelPartsMax + 1), to_(kLevel
 double NoiseFloor::noise_share(const CellPlane& levels) noexcept {
   if (levels.width < 3 || levels.height < 3) return 0.0;
   std::int64_t residual = 0, level = 0;
+  std::array<std::int16_t, kCellsMax> row_of_differences;
+  std::int16_t* __restrict const down = row_of_differences.data();
   for (int v = 1; v + 1 < levels.height; v += 2) {  // every other row: thousands of cells are enough
     const std::int16_t* const above = levels.row(v - 1);
     const std::int16_t* const here = levels.row(v);
     const std::int16_t* const below = levels.row(v + 1);
-    std::int32_t row_residual = 0, row_level = 0;  // at most 160 cells, each below 2^16
+    // The mask is second differences down of second differences across; both fit 16 bits, so that it becomes vector
+    // code.
+    for (int u = 0; u < levels.width; ++u) down[u] = static_cast<std::int16_t>(above[u] - 2 * here[u] + below[u]);
+    std::int32_t row_residual = 0, row_level = 0;  // at most kCellsMax cells, each below 2^16
     for (int u = 1; u + 1 < levels.width; ++u) {
-      const int corners = above[u - 1] + above[u + 1] + below[u - 1] + below[u + 1];
-      const int sides = above[u] + below[u] + here[u - 1] + here[u + 1];
-      row_residual += std::abs(corners - 2 * sides + 4 * here[u]);
+      const auto across = static_cast<std::int16_t>(down[u - 1] - 2 * down[u] + down[u + 1]);
+      row_residual += std::abs(across);
       row_level += here[u];
     }
     residual += row_residual;
@@ -47,12 +53,11 @@ double NoiseFloor::floor_share(double noise_share) noexcept {
   return kFloorMost * std::clamp((noise_share - kQuiet) / (kNoisy - kQuiet), 0.0, 1.0);
 }
 
-void NoiseFloor::take_off(double floor_share, CellPlane& levels) noexcept {
-  const auto [least, most] = std::minmax_element(levels.values.begin(), levels.values.end());
-  const float floor = light_of_[static_cast<std::size_t>(floor_share * *least)];
+void NoiseFloor::take_off(double floor_share, std::int16_t least, std::int16_t most, CellPlane& levels) noexcept {
+  const float floor = light_of_[static_cast<std::size_t>(floor_share * least)];
   // Light grows with the level, so the levels that are left are met in their order.
   std::size_t left = 0;
-  for (auto part = static_cast<std::size_t>(*least); part <= static_cast<std::size_t>(*most); ++part) {
+  for (auto part = static_cast<std::size_t>(least); part <= static_cast<std::size_t>(most); ++part) {
     const float light = light_of_[part] - floor;
     while (left < part && light_of_[left + 1] <= light) ++left;
     to_[part] = static_cast<std::int16_t>(left);

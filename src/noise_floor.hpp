@@ -17,13 +17,15 @@ class NoiseFloor {
 
   /// Standard deviation of the noise of single cells as a share of their mean level, 0 for a black frame. Even planes
   /// do not count, nor do edges (they are few): Immerkaer, Fast noise variance estimation (1996), eq. 1 to 3.
+  /// @param levels  at most kCellsMax wide
   [[nodiscard]] static double noise_share(const CellPlane& levels) noexcept;
 
   /// The share of the darkest light that is floor: 0 where the frame is quiet, kFloorMost where it is mostly noise.
   [[nodiscard]] static double floor_share(double noise_share) noexcept;
 
   /// Takes off, in light, the given share of the smallest level there is. Levels stay levels of the same tone curve.
-  void take_off(double floor_share, CellPlane& levels) noexcept;
+  /// @param least,most  the smallest and the largest of `levels`
+  void take_off(double floor_share, std::int16_t least, std::int16_t most, CellPlane& levels) noexcept;
 
  private:
   std::vector<float> light_of_;  // of each part of a level

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace adit {
 namespace {
@@ -129,13 +130,21 @@ class Flood {
   std::size_t length_ = 0;
 };
 
+/// Two values that stand side by side, none below 0, as one word: sums of two such words keep both halves apart.
+std::uint32_t pair_of(const std::int16_t* row, int pair) noexcept {
+  std::uint32_t both = 0;
+  std::memcpy(&both, row + std::ptrdiff_t{2} * pair, sizeof both);
+  return both;
+}
+
 /// A row of means of two by two cells; at an odd border of those that are there.
 void halve(const CellPlane& map, int row, std::int16_t* __restrict to) noexcept {
   const std::int16_t* __restrict const above = map.row(row * 2);
   const std::int16_t* __restrict const below = map.row(std::min(row * 2 + 1, map.height - 1));
   const int whole = map.width / 2;
-  for (int u = 0; u < whole; ++u) {
-    to[u] = static_cast<std::int16_t>((above[2 * u] + above[2 * u + 1] + below[2 * u] + below[2 * u + 1] + 2) / 4);
+  for (int u = 0; u < whole; ++u) {  // by words, so that it becomes vector code
+    const std::uint32_t columns = pair_of(above, u) + pair_of(below, u);
+    to[u] = static_cast<std::int16_t>(((columns & 0xffffU) + (columns >> 16) + 2U) / 4U);
   }
   if (map.width % 2 != 0) to[whole] = static_cast<std::int16_t>((above[2 * whole] + below[2 * whole] + 1) / 2);
 }
@@ -176,7 +185,8 @@ std::int32_t highest(const CellPlane& map, SearchScratch& scratch) noexcept {
     const std::uint8_t* const owner = scratch.owner.data() + first;
     std::int16_t peak = 0;
     for (std::int32_t u = 0; u < width; ++u) {  // no branch: it becomes vector code
-      const std::int16_t free = owner[u] == 0 ? value[u] : std::int16_t{0};
+      const std::int16_t here = value[u];       // read whatever its owner
+      const std::int16_t free = owner[u] == 0 ? here : std::int16_t{0};
       peak = free > peak ? free : peak;
     }
     if (peak < *best) {

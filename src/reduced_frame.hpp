@@ -52,10 +52,10 @@ class CellGrid {
   bool cells_of_four_;
 };
 
-/// Scratch of one row each.
+/// Scratch: two rows of minima, one of sums.
 struct ReductionRows {
   explicit ReductionRows(int frame_width_px)
-      : minimum(static_cast<std::size_t>(frame_width_px)), sums(static_cast<std::size_t>(frame_width_px)) {}
+      : minimum(2 * static_cast<std::size_t>(frame_width_px)), sums(static_cast<std::size_t>(frame_width_px)) {}
   std::vector<std::uint8_t> minimum;
   std::vector<std::uint16_t> sums;
 };

@@ -50,9 +50,9 @@ TEST(NoiseFloor, IsTakenOffInLight) {
   NoiseFloor floor(kGamma);
   CellPlane levels = plane_of(60.0, 0.3, 2.0);
   const CellPlane before = levels;
-  const int least = *std::min_element(before.values.begin(), before.values.end());
-  floor.take_off(0.8, levels);
-  const double off = light_of(static_cast<int>(0.8 * least));
+  const auto [least, most] = std::minmax_element(before.values.begin(), before.values.end());
+  floor.take_off(0.8, *least, *most, levels);
+  const double off = light_of(static_cast<int>(0.8 * *least));
   for (std::size_t i = 0; i < levels.values.size(); ++i) {
     const double left = light_of(before.values[i]) - off;
     EXPECT_LE(light_of(levels.values[i]), left + 1e-6);
@@ -65,7 +65,7 @@ TEST(NoiseFloor, NothingIsTakenFromBlackNorFromWhite) {
   CellPlane levels(160, 120);
   levels.values[7] = kLevelPartsMax;
   const CellPlane before = levels;
-  floor.take_off(0.9, levels);
+  floor.take_off(0.9, 0, kLevelPartsMax, levels);
   EXPECT_EQ(levels.values, before.values);
 }
 

@@ -82,10 +82,10 @@ void RectanglePass::take_into_block(std::uint8_t* row, PlaneView out) noexcept {
   ++rows_in_;
   if (rows_in_ <= reach_v_) {  // no window is complete yet
     join(order_, row, running_, running_, width_);
-  } else if (row_in_block_ + 1 == rows) {
-    order_.loops.fold(row, running_, row, out.row(rows_out_++), width_);
   } else {
-    order_.loops.fold(row, running_, row + pitch_, out.row(rows_out_++), width_);
+    const std::uint8_t* suffix = row_in_block_ + 1 == rows ? row : row + pitch_;
+    const std::uint8_t* next = out.row(std::min(rows_out_ + 1, height_ - 1));
+    order_.loops.fold(row, running_, suffix, out.row(rows_out_++), next, width_);
   }
   if (++row_in_block_ == rows) close_block();
 }

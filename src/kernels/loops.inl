@@ -273,10 +273,12 @@ void best_of_lozenge(ConstRows from, int du, int dv, Rows out, int width, int ro
 }
 
 template <class Order>
-void fold(const std::uint8_t* row, std::uint8_t* running, const std::uint8_t* suffix, std::uint8_t* out, int width) {
+void fold(const std::uint8_t* row, std::uint8_t* running, const std::uint8_t* suffix, std::uint8_t* out,
+          const std::uint8_t* next_out, int width) {
   along(
       width,
       [&](std::ptrdiff_t x) {
+        if (Bytes::kLanes >= 64 || x % 64 == 0) __builtin_prefetch(next_out + x, 1, 2);
         const Bytes best = Order::of(load(running + x), load(row + x));
         store(running + x, best);
         store(out + x, Order::of(best, load(suffix + x)));

@@ -35,9 +35,10 @@ struct OrderLoops {
   /// out[x] of row v = best of from[x + du] in rows v and v + 2 dv, and of from[x] and from[x + 2 du] in row v + dv.
   /// du and dv >= 1. In place, the width is a multiple of 64.
   void (*best_of_lozenge)(ConstRows from, int du, int dv, Rows out, int width, int rows);
-  /// running[x] = best(running[x], row[x]); out[x] = best(running[x], suffix[x]).
+  /// running[x] = best(running[x], row[x]); out[x] = best(running[x], suffix[x]). What the next call will write is
+  /// asked for: else a store to a plane that is in no near cache holds up all that follow.
   void (*fold)(const std::uint8_t* row, std::uint8_t* running, const std::uint8_t* suffix, std::uint8_t* out,
-               int width);
+               const std::uint8_t* next_out, int width);
 };
 
 /// The brightest `wanted` values met so far, and what is sure about them.

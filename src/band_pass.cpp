@@ -88,7 +88,11 @@ kernels::ConstRows BandPass::at(BandPlan::Operand operand, int row) const noexce
 }
 
 // In place: rows below are still as the last step left them, and so are columns to the right.
-void BandPass::apply(const BandPlan::Step& step, int row, kernels::Rows to, int width, int rows) const noexcept {
+void BandPass::apply(const BandPlan::Step& step, int row, kernels::Rows to, int width, int rows) noexcept {
+  if (looks_ahead_) {
+    source_ahead_.next();
+    out_ahead_.next();
+  }
   if (rows <= 0) return;
   if (step.window > 0) return order_.loops.best_of_window(at(step.operands[0], row), step.window, to, width, rows);
   if (step.is_lozenge) {
@@ -101,10 +105,26 @@ void BandPass::apply(const BandPlan::Step& step, int row, kernels::Rows to, int 
   (is_far ? order_.loops.best_of_far_rows : order_.loops.best_of_rows)(from, step.count, to, width, rows);
 }
 
+// Rows of the source that the next band takes, and of the result that this one writes once its steps are done.
+void BandPass::look_ahead(int end) noexcept {
+  const int turns = static_cast<int>(plan_.core.size() + plan_.folds.size());
+  if (far_source_.data != nullptr) {
+    const int v = std::clamp(taken_ - plan_.element_height / 2, 0, height_);
+    const int rows = std::min(plan_.band, height_ - v);
+    source_ahead_ = {far_source_.data + v * far_source_.stride_bytes + first_, far_source_.stride_bytes, last_ - first_,
+                     rows, turns};
+  }
+  if (is_out_far_) {
+    const int rows = std::max(0, end - plan_.fold_rows) - given_;
+    out_ahead_ = {out_.first + (given_ - out_first_) * out_.pitch, out_.pitch, width_, rows, turns};
+  }
+}
+
 // Main rows up to `end` have their source. The last fold goes to the plane.
 void BandPass::advance(int end) noexcept {
   static constexpr BandPlan::Step kCopy{.operands = {{{0, 0}}}, .count = 1};
   windows_.first = done_;
+  if (looks_ahead_) look_ahead(end);
   for (const BandPlan::Step& step : plan_.core) {
     const Moving& to = step.to == BandPlan::From::kMain ? main_ : windows_;
     apply(step, done_, {to.at(done_), plan_.pitch}, step.width, end - done_);

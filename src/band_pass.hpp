@@ -12,6 +12,7 @@
 #include "aligned_bytes.hpp"
 #include "element_sum.hpp"
 #include "kernels/pixel_loops.hpp"
+#include "lines_ahead.hpp"
 #include "margined_plane.hpp"
 
 namespace adit {
@@ -101,6 +102,13 @@ class BandPass {
 
   /// For a pass whose rows are fetched by another, strip by strip: at most plan.strip_columns columns from `begin` on.
   void start_strip(int begin, int columns) noexcept;
+  /// For strips of planes that are too large for a near cache: what fill() will read comes from `source`, and what
+  /// bring() writes goes there; both are asked for ahead.
+  void read_ahead(ConstPlaneView source) noexcept {
+    far_source_ = source;
+    looks_ahead_ = true;
+  }
+  void write_ahead() noexcept { looks_ahead_ = is_out_far_ = true; }
   /// Columns of the source that this strip needs.
   [[nodiscard]] int source_begin() const noexcept { return first_; }
   [[nodiscard]] int source_columns() const noexcept { return last_ - first_; }
@@ -130,9 +138,10 @@ class BandPass {
   };
 
   void make_room(int end) noexcept;
+  void look_ahead(int end) noexcept;
   void make_room_in_main(int end) noexcept;
   void advance(int end) noexcept;
-  void apply(const BandPlan::Step& step, int row, kernels::Rows to, int width, int rows) const noexcept;
+  void apply(const BandPlan::Step& step, int row, kernels::Rows to, int width, int rows) noexcept;
   [[nodiscard]] kernels::Rows inside(int source_row) const noexcept;
   [[nodiscard]] kernels::ConstRows at(BandPlan::Operand operand, int row) const noexcept;
 
@@ -156,6 +165,11 @@ class BandPass {
   int given_ = 0;  ///< rows of the result
   kernels::Rows out_{};
   int out_first_ = 0;  ///< the row that lies at `out_`
+  bool looks_ahead_ = false;
+  ConstPlaneView far_source_{};
+  bool is_out_far_ = false;
+  LinesAhead source_ahead_;
+  LinesAhead out_ahead_;
 };
 
 /// The buffers of all calls.

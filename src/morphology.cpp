@@ -59,6 +59,8 @@ void close_in_strips(ConstPlaneView in, const MorphologyScratch::Buffers::Plans&
   if (in.data == out.data) in = copy_of(in, buffers);
   BandPass dilation(largest_order(), *plans.before, in.height, buffers.before_work.get());
   BandPass erosion(smallest_order(), plans.alone, in.height, buffers.work.get());
+  dilation.read_ahead(in);
+  erosion.write_ahead();
   const auto dilated = [&](int v, int rows, int, int, kernels::Rows to) { dilation.bring(rows_of(in), v + rows, to); };
   for (int begin = 0; begin < in.width; begin += plans.alone.strip_columns) {
     erosion.start_strip(begin, std::min(plans.alone.strip_columns, in.width - begin));

@@ -17,12 +17,19 @@ std::size_t pitch_of(int width, int reach_u) {
   return AlignedBytes::rounded_up(static_cast<std::size_t>(width + 2 * reach_u));
 }
 
+/// Bytes from one row of windows to the next. They are made from each other in turns, and loads are held up by stores
+/// under way whose addresses are the same but for multiples of the period: half a period away none is.
+std::size_t spacing_of(std::size_t batch_bytes) {
+  constexpr std::size_t kPeriod = BandPlan::kAliasPeriod;
+  return (batch_bytes + kPeriod / 2 - 1) / kPeriod * kPeriod + kPeriod / 2;
+}
+
 }  // namespace
 
 std::size_t RectanglePass::bytes_needed(int width, int height, const StructuringElement& element) noexcept {
   const int rows = 2 * clipped(element.height() / 2, height) + 1;
   const std::size_t pitch = pitch_of(width, clipped(element.width() / 2, width));
-  return pitch * (3 * batch_of(pitch) + 1 + static_cast<std::size_t>(rows));
+  return 3 * spacing_of(batch_of(pitch) * pitch) + pitch * (1 + static_cast<std::size_t>(rows));
 }
 
 RectanglePass::RectanglePass(Order order, int width, int height, const StructuringElement& element,
@@ -35,9 +42,9 @@ RectanglePass::RectanglePass(Order order, int width, int height, const Structuri
       pitch_(pitch_of(width, reach_u_)),
       batch_(batch_of(pitch_)),
       source_(work),
-      doubled_{work + batch_ * pitch_, work + 2 * batch_ * pitch_},
-      running_(work + 3 * batch_ * pitch_),
-      block_(work + (3 * batch_ + 1) * pitch_) {
+      doubled_{work + spacing_of(batch_ * pitch_), work + 2 * spacing_of(batch_ * pitch_)},
+      running_(work + 3 * spacing_of(batch_ * pitch_)),
+      block_(running_ + pitch_) {
   std::memset(source_, order_.identity, batch_ * pitch_);
   std::memset(running_, order_.identity, pitch_);
   // Rows above the plane: they fill the head of the first block and never win.

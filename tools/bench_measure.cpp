@@ -17,6 +17,7 @@ namespace {
 // calls first, because the one before has filled the caches with its own things.
 constexpr int kFramesPerTurn = 100;
 constexpr int kStrongPerTurn = 10;
+constexpr int kAditPerTurn = 20;
 constexpr int kUntimed = 5;
 
 constexpr int k4kWidth_px = 3840;
@@ -46,7 +47,38 @@ cv::Mat noise_like(const cv::Mat& frame) {
   return noise;
 }
 
-/// The frame by ours, its copy and the chains of OpenCV, in turns.
+FinderConfig adit_preset() {
+  FinderConfig config;
+  config.method = Method::kAdit;
+  return config;
+}
+
+FinderConfig paper_preset_4k() {
+  FinderConfig config = paper_preset();
+  config.patch_size_px = k4kSize_px;
+  config.structuring_element_size_px = k4kSize_px;
+  return config;
+}
+
+/// The other frames of ours that a ratio or a limit is asked of. They take turns with all else: a processor's clock
+/// goes up and down by half within a run, and what is timed at its end would be compared with another machine.
+class OtherFrames {
+ public:
+  explicit OtherFrames(const cv::Mat& bgr) : bgr_(bgr), adit_(adit_preset()), large_(paper_preset_4k()) {
+    cv::resize(bgr, large_bgr_, {k4kWidth_px, k4kHeight_px}, 0, 0, cv::INTER_LINEAR);
+    (void)large_.find(io::view_of(large_bgr_));
+  }
+  void turn(TimeKind kind, BenchFigures& figures) {
+    time_turn(kind, figures.adit_frame, kUntimed, kAditPerTurn, [&] { (void)adit_.find(io::view_of(bgr_)); });
+    time_turn(kind, figures.frame_4k, 0, 1, [&] { (void)large_.find(io::view_of(large_bgr_)); });
+  }
+
+ private:
+  cv::Mat bgr_, large_bgr_;
+  OpenSpaceFinder adit_, large_;
+};
+
+/// Frames by ours, their copy and the chains of OpenCV, in turns.
 void time_rivals(const BenchSubject& subject, double seconds, BenchFigures& figures) {
   const TimeKind kind = subject.time_kind;
   OpenSpaceFinder finder(paper_preset());
@@ -55,6 +87,7 @@ void time_rivals(const BenchSubject& subject, double seconds, BenchFigures& figu
   std::vector<std::uint8_t> copy(bytes, 1);
   StrongOpenCvChain strong(finder.config(), subject.bgr.size());
   OpenCvChain opencv(finder.config(), subject.bgr.size());
+  OtherFrames others(subject.bgr);
   for (int i = 0; i < 2 * kFramesPerTurn; ++i) (void)finder.find(view);
   const double begin_ms = now_ms();
   const auto is_enough = [&] {
@@ -78,6 +111,7 @@ void time_rivals(const BenchSubject& subject, double seconds, BenchFigures& figu
     });
     time_turn(kind, figures.strong, 1, kStrongPerTurn, [&] { (void)strong.find(subject.bgr); });
     time_turn(kind, figures.opencv, 0, 1, [&] { (void)opencv.find(subject.bgr); });
+    others.turn(kind, figures);
   } while (!is_enough());
 }
 
@@ -120,17 +154,8 @@ BenchFigures measure(const BenchSubject& subject) {
   figures.structuring_element_size_px = scaled_size_px(defaults.structuring_element_size_vga_px, figures.size.width);
   figures.target = target_in_use();
   figures.core = pin_to_core();
-  time_rivals(subject, 0.75 * subject.seconds, figures);
+  time_rivals(subject, 0.85 * subject.seconds, figures);
   time_picture(subject.time_kind, noise_like(subject.bgr), paper_preset(), 0.05 * subject.seconds, 20, figures.noise);
-  FinderConfig adit;
-  adit.method = Method::kAdit;
-  time_picture(subject.time_kind, subject.bgr, adit, 0.05 * subject.seconds, 100, figures.adit_frame);
-  FinderConfig config_4k = paper_preset();
-  config_4k.patch_size_px = k4kSize_px;
-  config_4k.structuring_element_size_px = k4kSize_px;
-  cv::Mat large;
-  cv::resize(subject.bgr, large, {k4kWidth_px, k4kHeight_px}, 0, 0, cv::INTER_LINEAR);
-  time_picture(subject.time_kind, large, config_4k, 0.1 * subject.seconds, 5, figures.frame_4k);
   time_targets(subject, 0.1 * subject.seconds, figures);
   return figures;
 }

@@ -47,12 +47,6 @@ cv::Mat noise_like(const cv::Mat& frame) {
   return noise;
 }
 
-FinderConfig adit_preset() {
-  FinderConfig config;
-  config.method = Method::kAdit;
-  return config;
-}
-
 FinderConfig paper_preset_4k() {
   FinderConfig config = paper_preset();
   config.patch_size_px = k4kSize_px;
@@ -64,7 +58,7 @@ FinderConfig paper_preset_4k() {
 /// goes up and down by half within a run, and what is timed at its end would be compared with another machine.
 class OtherFrames {
  public:
-  explicit OtherFrames(const cv::Mat& bgr) : bgr_(bgr), adit_(adit_preset()), large_(paper_preset_4k()) {
+  explicit OtherFrames(const cv::Mat& bgr) : bgr_(bgr), adit_(FinderConfig{}), large_(paper_preset_4k()) {
     cv::resize(bgr, large_bgr_, {k4kWidth_px, k4kHeight_px}, 0, 0, cv::INTER_LINEAR);
     (void)large_.find(io::view_of(large_bgr_));
   }

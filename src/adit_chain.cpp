@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "enclosure.hpp"
 #include "opening_extent.hpp"
 #include "way_odds.hpp"
 
@@ -169,7 +170,8 @@ void AditChain::clean() noexcept {
 }
 
 void AditChain::search(bool by_cusp) noexcept {
-  enclosure_of(light_, enclosing_, map_);
+  // Where noise hides the rest, near rock at the rim may be all that is seen.
+  enclosure_of(light_, NoiseFloor::floor_share(noise_share_) > 0.0, enclosing_, map_);
   weigh(by_cusp);
   blur(depth_, filter_);
   blur(map_, filter_);  // twice: a standard deviation of 1.4 cells, so that a peak is of a place and not of noise
@@ -306,8 +308,10 @@ void AditChain::note_opening(const Candidate& from, const Camera& camera, Openin
   to.contrast = 1.0 - std::exp2(-static_cast<double>(from.peak) / kStop);
   to.top_left_px = {static_cast<double>(grid_.first_u(from.left)), static_cast<double>(grid_.first_v(from.top))};
   to.bottom_right_px = {grid_.first_u(from.right + 1) - 1.0, grid_.first_v(from.bottom + 1) - 1.0};
-  to.touches_border =
-      from.left == 0 || from.top == 0 || from.right + 1 == grid_.width() || from.bottom + 1 == grid_.height();
+  // No place reaches into the rim.
+  const int rim_u = rim_of(grid_.width()), rim_v = rim_of(grid_.height());
+  to.touches_border = from.left <= rim_u || from.top <= rim_v || from.right + 1 >= grid_.width() - rim_u ||
+                      from.bottom + 1 >= grid_.height() - rim_v;
   note_extent(camera, to);
 }
 

@@ -13,6 +13,10 @@ constexpr int kStep = 5;
 constexpr int kDiagonalStep = 7;
 /// Brighter than nothing: what a ray meets outside the frame.
 constexpr std::int16_t kNothing = -30000;
+/// Share of each side of the frame, at both its ends, that no ray meets: 4 degrees of a common lens. Whole frames of
+/// a camera in a cave have the lens's glowing edge and the vehicle's arms there, and beside them all that the lamp's
+/// beam leaves out would look enclosed.
+constexpr double kRim = 0.05;
 
 std::int16_t brighter(int a, int b) noexcept { return static_cast<std::int16_t>(a > b ? a : b); }
 
@@ -45,9 +49,20 @@ void along_row(const std::int16_t* __restrict light, std::int16_t* __restrict fr
   }
 }
 
+/// Of a plane that is dark at its rim.
+void take_inner(const CellPlane& light, CellPlane& rock) noexcept {
+  const int rim_u = rim_of(light.width), rim_v = rim_of(light.height);
+  for (int v = 0; v < light.height; ++v) {
+    std::int16_t* const row = rock.row(v);
+    std::fill_n(row, light.width, kNothing);
+    if (v < rim_v || v >= light.height - rim_v) continue;
+    std::copy_n(light.row(v) + rim_u, light.width - 2 * rim_u, row + rim_u);
+  }
+}
+
 }  // namespace
 
-EnclosureScratch::EnclosureScratch(int width, int height) {
+EnclosureScratch::EnclosureScratch(int width, int height) : rock(width, height) {
   for (CellPlane& plane : from_below) plane = CellPlane(width, height);
   for (auto* rows : {&from_above, &above_before}) {
     for (auto& row : *rows) row.resize(static_cast<std::size_t>(width));
@@ -55,13 +70,17 @@ EnclosureScratch::EnclosureScratch(int width, int height) {
   for (auto& row : along) row.resize(static_cast<std::size_t>(width));
 }
 
-void enclosure_of(const CellPlane& light, EnclosureScratch& scratch, CellPlane& out) noexcept {
+int rim_of(int cells) noexcept { return static_cast<int>(kRim * cells + 0.5); }
+
+void enclosure_of(const CellPlane& light, bool rim_is_rock, EnclosureScratch& scratch, CellPlane& out) noexcept {
   const kernels::CellLoops& loops = kernels::pixel_loops().cells;
   const int width = light.width, last = light.height - 1;
+  if (!rim_is_rock) take_inner(light, scratch.rock);
+  const CellPlane& rock = rim_is_rock ? light : scratch.rock;
   auto& below = scratch.from_below;
   nothing_met(below[0].row(last), below[1].row(last), below[2].row(last), width);
   for (int v = last - 1; v >= 0; --v) {
-    carry(loops, light.row(v + 1), below[0].row(v + 1), below[1].row(v + 1), below[2].row(v + 1), below[0].row(v),
+    carry(loops, rock.row(v + 1), below[0].row(v + 1), below[1].row(v + 1), below[2].row(v + 1), below[0].row(v),
           below[1].row(v), below[2].row(v), width);
   }
   auto& before = scratch.above_before;
@@ -70,10 +89,10 @@ void enclosure_of(const CellPlane& light, EnclosureScratch& scratch, CellPlane& 
   for (int v = 0; v <= last; ++v) {
     if (v > 0) {
       before.swap(above);
-      carry(loops, light.row(v - 1), before[0].data(), before[1].data(), before[2].data(), above[0].data(),
+      carry(loops, rock.row(v - 1), before[0].data(), before[1].data(), before[2].data(), above[0].data(),
             above[1].data(), above[2].data(), width);
     }
-    along_row(light.row(v), scratch.along[0].data(), scratch.along[1].data(), width);
+    along_row(rock.row(v), scratch.along[0].data(), scratch.along[1].data(), width);
     const std::int16_t* const met[] = {below[0].row(v),         below[1].row(v),        below[2].row(v),
                                        above[0].data(),         above[1].data(),        above[2].data(),
                                        scratch.along[0].data(), scratch.along[1].data()};

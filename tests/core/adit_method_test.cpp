@@ -1,6 +1,7 @@
 // The method `adit` on drawn frames: each status, each rule, and what must not fool it.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "adit/finder.hpp"
@@ -77,6 +78,26 @@ TEST(AditMethod, AWallHasNoOpening) {
     EXPECT_EQ(seen.rule, Rule::kNone);
     EXPECT_EQ(seen.confidence, 0.0);
     EXPECT_EQ(seen.opening_count, 0);
+  }
+}
+
+/// As whole frames of a lens show it whose image circle just fits the sensor, with the arms of a vehicle below.
+Frame with_glowing_rim(Frame frame, int rim_px) {
+  for (int v = 0; v < frame.height; ++v) {
+    for (int u = 0; u < frame.width; ++u) {
+      const int inside_px = std::min({u, v, frame.width - 1 - u, frame.height - 1 - v});
+      if (inside_px < rim_px) *frame.pixel(u, v) = 150;
+    }
+  }
+  return frame;
+}
+
+TEST(AditMethod, TheRimOfTheLensEnclosesNothing) {
+  for (const double beam_px : {400.0, 190.0}) {
+    const Frame wall = drawn({.openings = {}, .beam_px = beam_px});
+    EXPECT_EQ(seen_in(with_glowing_rim(wall, 12)).status, Status::kNoOpening) << "beam " << beam_px;
+    const Frame passage = drawn({.openings = {{380, 250, 60, 50}}, .beam_px = beam_px});
+    expect_at(seen_in(with_glowing_rim(passage, 12)), 380, 250, 20);
   }
 }
 

@@ -43,6 +43,11 @@ constexpr double kNoiseAlone_stops = 0.3;
 /// to the dark places is less than the walls' shading.
 constexpr double kVeilOffMin = 0.6;
 
+/// What is at the end of the range is as smooth as a veil, whatever it is: from this share of the frame on it may be a
+/// near wall before the exposure has come down to it. Rendered dust exposed for its own light has less than a
+/// hundredth.
+constexpr double kVeilSaturatedMax = 0.1;
+
 double confidence_of(double odds, double most) noexcept { return most / (1.0 + std::exp(-odds)); }
 
 /// How much of what can be seen in dust is seen, kSightLeast to 1.
@@ -132,7 +137,7 @@ void AditChain::find(const FinderConfig& config, const Camera& camera, OpenSpace
   const LevelRange range = note_levels(out);
   if (floor_share > 0.0) noise_floor_.take_off(floor_share, range.least, range.most, cleaned_);
   const VeilSight veil = veil_fit_.judge(cleaned_);
-  note_flags(config, veil, out);
+  const double saturated_share = note_flags(config, veil, out);
   const bool veil_off = out.veil_fraction >= kVeilOffMin;
   // In dust neither the search nor the odds look at it.
   if (!(out.flags.dust && veil_off)) cusp_.judge(veil_fit_.log_light());
@@ -148,6 +153,10 @@ void AditChain::find(const FinderConfig& config, const Camera& camera, OpenSpace
   if (out.status != Status::kFound) return;
   if (out.flags.too_dark && veil.above_stops < kNoiseAlone_stops) {
     out.status = Status::kTooDark;
+    return;
+  }
+  if (out.flags.dust && saturated_share > kVeilSaturatedMax) {
+    out.status = Status::kTooBright;
     return;
   }
   if (hides_all_rock(veil, out.flags)) {
@@ -205,7 +214,8 @@ constexpr double kTooBrightShare = 0.25;
 /// Below this brightest level a camera at full gain shows as much noise as rock.
 constexpr double kFaint_level = 24.0;
 
-void AditChain::note_flags(const FinderConfig& config, const VeilSight& veil, OpenSpace& out) const noexcept {
+/// The share of the frame at the end of the range.
+double AditChain::note_flags(const FinderConfig& config, const VeilSight& veil, OpenSpace& out) const noexcept {
   out.veil_fraction = veil.fraction * std::min(1.0, kUndercutNoise * veil.undercut);
   out.flags.dust = out.veil_fraction >= config.dust_veil_min;
   out.flags.blocked_lens = hides_all_rock(veil, out.flags) && !veil.lobe_in_frame;
@@ -226,7 +236,9 @@ void AditChain::note_flags(const FinderConfig& config, const VeilSight& veil, Op
     }
   }
   out.flags.glare = steep;
-  out.flags.too_bright = saturated > kTooBrightShare * static_cast<double>(level_.values.size());
+  const double share = saturated / static_cast<double>(level_.values.size());
+  out.flags.too_bright = share > kTooBrightShare;
+  return share;
 }
 
 /// In dust rims are soft, and where rock is near they are steepest: the middle of the air that is seen says more.

@@ -41,7 +41,7 @@ class AditChain {
     std::int16_t least, most;  ///< parts of a grey level
   };
   LevelRange note_levels(OpenSpace& out) const noexcept;
-  void note_flags(const FinderConfig& config, const VeilSight& veil, OpenSpace& out) const noexcept;
+  double note_flags(const FinderConfig& config, const VeilSight& veil, OpenSpace& out) const noexcept;
   void note_openings(const FinderConfig& config, const Camera& camera, const VeilSight& veil, bool veil_off,
                      OpenSpace& out) noexcept;
   void note_opening(const Candidate& from, const Camera& camera, Opening& to) const noexcept;

@@ -81,7 +81,8 @@ struct FinderConfig {
 enum class Status : std::uint8_t {
   kFound,
   kTooDark,     ///< atmospheric light below too_dark_light_max: lamp out, lens covered
-  kTooBright,   ///< even the darkest place is at or above too_bright_level_min: daylight, exposure too long
+  kTooBright,   ///< even the darkest place is at or above too_bright_level_min: daylight, exposure too long; method
+                ///< `adit`: also a tenth of the frame at the end of the range where the rest looks like dust
   kNoContrast,  ///< darkest and brightest place differ by less than contrast_levels_min: fog, one grey value
   kNoRegion,    ///< the darkest cluster is smaller than area_fraction_min: a speck, no opening
   kBadFrame,    ///< not a frame: see fault_of(ImageView)

@@ -121,6 +121,18 @@ TEST(AditMethod, DaylightIsTooBright) {
   EXPECT_EQ(seen_in(Frame(640, 480, PixelFormat::kGrey8, 235)).status, Status::kTooBright);
 }
 
+// Exposure that has not yet come down to a near wall: what is at the end of the range is smooth, but it is no dust.
+TEST(AditMethod, AnOverexposedWallIsNoWayThroughDust) {
+  for (const double brightness : {400.0, 700.0, 1000.0}) {
+    for (unsigned seed = 1; seed <= 3; ++seed) {
+      const OpenSpace seen =
+          seen_in(drawn({.openings = {}, .beam_px = 300.0, .brightness = brightness, .texture = 0.4, .seed = seed}));
+      EXPECT_FALSE(seen.found()) << "brightness " << brightness << " seed " << seed << " confidence "
+                                 << seen.confidence;
+    }
+  }
+}
+
 TEST(AditMethod, OneGreyValueHasNoContrast) {
   EXPECT_EQ(seen_in(Frame(640, 480, PixelFormat::kGrey8, 90)).status, Status::kNoContrast);
 }

@@ -188,12 +188,13 @@ void Renderer::render(const Shot& shot, Frame& frame) {
   frame.times.lens_ms = ms_since(clock);
   sensor_pass(p, shot, frame);
   frame.times.sensor_ms = ms_since(clock);
-  jpeg_pass(p.rig.sensor, frame);
+  jpeg_pass(p, frame);
   frame.times.jpeg_ms = ms_since(clock);
   frame.range_m.resize(static_cast<std::size_t>(p.width) * p.height);
-  for (int v = 0; v < p.height; ++v)
+  p.each(p.height, [&](int v) {
     std::copy_n(&p.range[static_cast<std::size_t>(v) * p.stride], p.width,
                 &frame.range_m[static_cast<std::size_t>(v) * p.width]);
+  });
 }
 
 Frame Renderer::render(const Shot& shot) {

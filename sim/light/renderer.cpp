@@ -166,6 +166,9 @@ const RayScene& Renderer::scene() const noexcept { return *parts_->scene; }
 std::shared_ptr<const RayScene> Renderer::shared_scene() const noexcept { return parts_->scene; }
 const Camera& Renderer::camera() const noexcept { return *parts_->camera; }
 const RigConfig& Renderer::rig() const noexcept { return parts_->rig; }
+void Renderer::both(const std::function<void()>& one, const std::function<void()>& other) const {
+  parts_->each(2, [&](int i) { i == 0 ? one() : other(); });
+}
 
 Eigen::Isometry3f Renderer::camera_pose(const RigPose& pose) const {
   Eigen::Isometry3f body = Eigen::Isometry3f::Identity();

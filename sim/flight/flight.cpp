@@ -140,7 +140,6 @@ bool Flight::step() {
   row_.frame = frames_;
   row_.stamp_s = time_s_;
   row_.vehicle = vehicle_.state();
-  survey();
   take_frame();
   deliver();
   row_.command = command_;
@@ -154,10 +153,25 @@ bool Flight::step() {
   return true;
 }
 
+/// Truth and the laser's sweep at the moment of the frame. They touch nothing that perception does.
+void Flight::measure() {
+  survey();
+  sweep();
+}
+
 void Flight::survey() {
   const VehicleState& v = vehicle_.state();
   const Vector3d heading(std::cos(v.yaw_rad), std::sin(v.yaw_rad), 0.0);
   row_.truth = surveyor_.look(v.place, heading, eye_->pose(v), settings_.vehicle.height_m, start_);
+}
+
+void Flight::sweep() {
+  scan_.reset();
+  const double sweeps = settings_.lidar.lidar_rate_hz;
+  const double next_s = time_s_ + physics_step_s_ * physics_steps_;
+  if (frames_ > 0 && !(std::floor(next_s * sweeps) > std::floor(time_s_ * sweeps))) return;
+  scan_ = lidar_.sweep(vehicle_.state().place, vehicle_.state().attitude(), time_s_);
+  map_.add(*scan_, vehicle_.state().place, vehicle_.state().attitude());
 }
 
 /// The camera's side: a frame is taken and judged; what came of it is on its way to the pilot.
@@ -170,6 +184,7 @@ void Flight::take_frame() {
                   : repeats    ? Delivery::kRepeated
                                : Delivery::kFresh;
   if (row_.delivery == Delivery::kDropped) {
+    measure();
     on_the_way_.push_back({time_s_, true, {}, {}});
     return;
   }
@@ -180,7 +195,7 @@ void Flight::take_frame() {
         eye_->look(vehicle_.state(), time_s_, settings_.seed * kFrameSeedStep + static_cast<std::uint64_t>(frames_));
   }
   row_.lamps_on = is_lit_;
-  const Sight sight = judged();
+  const Sight sight = judged_and_measured();
   open_space_ = sight.open_space;
   row_.status = open_space_.status;
   row_.confidence = open_space_.confidence;
@@ -190,6 +205,12 @@ void Flight::take_frame() {
   row_.area_fraction = open_space_.area_fraction;
   row_.flags = open_space_.flags;
   on_the_way_.push_back({time_s_, false, sight, {vehicle_.state().yaw_rate_rad_s, speed_m_s()}});
+}
+
+Sight Flight::judged_and_measured() {
+  Sight sight;
+  eye_->both([&] { sight = judged(); }, [&] { measure(); });
+  return sight;
 }
 
 /// What perception makes of the frame; of an eye that flashes, of it and the last one with the lamps the other way.
@@ -237,13 +258,6 @@ double Flight::speed_m_s() const noexcept {
 
 bool Flight::fly_to_next_frame() {
   imu_samples_.clear();
-  scan_.reset();
-  const double sweeps = settings_.lidar.lidar_rate_hz;
-  const double next_s = time_s_ + physics_step_s_ * physics_steps_;
-  if (frames_ == 0 || std::floor(next_s * sweeps) > std::floor(time_s_ * sweeps)) {
-    scan_ = lidar_.sweep(vehicle_.state().place, vehicle_.state().attitude(), time_s_);
-    map_.add(*scan_, vehicle_.state().place, vehicle_.state().attitude());
-  }
   const VehicleCommand command{speed_m_s(), command_.yaw_rate_rad_s};
   const double start_s = time_s_;
   for (int i = 1; i <= physics_steps_; ++i) {

@@ -4,7 +4,7 @@ find_package(embree 4 QUIET)
 if(NOT embree_FOUND)
   find_package(embree 3.8 REQUIRED)
 endif()
-find_package(OpenCV REQUIRED COMPONENTS core imgcodecs)
+find_package(JPEG REQUIRED)
 target_sources(adit_sim PRIVATE
   light/scene.cpp
   light/contact.cpp
@@ -26,7 +26,7 @@ target_sources(adit_sim PRIVATE
   sensor/sensor_tables.cpp
   sensor/sensor_pass.cpp
   sensor/jpeg_pass.cpp)
-target_link_libraries(adit_sim PRIVATE embree TBB::tbb opencv_core opencv_imgcodecs)
+target_link_libraries(adit_sim PRIVATE embree TBB::tbb JPEG::JPEG)
 
 # The shading loops, once per kind of CPU. No fused multiply-add and no approximate division: the same bits on each.
 # -Wno-psabi: vectors wider than the target's go by value between functions of one file only.

@@ -81,9 +81,11 @@ struct Renderer::Parts {
     return {d[0], d[kTileLanes], d[2 * kTileLanes]};
   }
 
+  [[nodiscard]] int threads() const { return arena ? arena->max_concurrency() : 1; }
+
   /// body(i) for i in [0, count): on all threads of the arena, in any order.
   template <class Body>
-  void each(int count, const Body& body) {
+  void each(int count, const Body& body) const {
     if (!arena) {
       for (int i = 0; i < count; ++i) body(i);
       return;
@@ -124,6 +126,6 @@ void light_pass(Renderer::Parts& parts, const CameraMotion& motion, float readou
 void lens_pass(Renderer::Parts& parts, const CameraMotion& motion, const Shot& shot);
 void grains_pass(Renderer::Parts& parts, const CameraMotion& motion, const Shot& shot);
 void sensor_pass(Renderer::Parts& parts, const Shot& shot, Frame& frame);
-void jpeg_pass(const SensorConfig& sensor, Frame& frame);
+void jpeg_pass(const Renderer::Parts& parts, Frame& frame);
 
 }  // namespace adit::sim

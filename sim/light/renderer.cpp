@@ -166,6 +166,9 @@ const RayScene& Renderer::scene() const noexcept { return *parts_->scene; }
 std::shared_ptr<const RayScene> Renderer::shared_scene() const noexcept { return parts_->scene; }
 const Camera& Renderer::camera() const noexcept { return *parts_->camera; }
 const RigConfig& Renderer::rig() const noexcept { return parts_->rig; }
+void Renderer::both(const std::function<void()>& one, const std::function<void()>& other) const {
+  parts_->each(2, [&](int i) { i == 0 ? one() : other(); });
+}
 
 Eigen::Isometry3f Renderer::camera_pose(const RigPose& pose) const {
   Eigen::Isometry3f body = Eigen::Isometry3f::Identity();
@@ -188,12 +191,13 @@ void Renderer::render(const Shot& shot, Frame& frame) {
   frame.times.lens_ms = ms_since(clock);
   sensor_pass(p, shot, frame);
   frame.times.sensor_ms = ms_since(clock);
-  jpeg_pass(p.rig.sensor, frame);
+  jpeg_pass(p, frame);
   frame.times.jpeg_ms = ms_since(clock);
   frame.range_m.resize(static_cast<std::size_t>(p.width) * p.height);
-  for (int v = 0; v < p.height; ++v)
+  p.each(p.height, [&](int v) {
     std::copy_n(&p.range[static_cast<std::size_t>(v) * p.stride], p.width,
                 &frame.range_m[static_cast<std::size_t>(v) * p.width]);
+  });
 }
 
 Frame Renderer::render(const Shot& shot) {

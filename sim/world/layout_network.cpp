@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 
+#include "blind_ends.hpp"
 #include "layout.hpp"
 #include "noise.hpp"
 
@@ -14,8 +15,7 @@ constexpr int kCornerRounds = 3;
 constexpr double kAxisStep_m = 0.5;
 /// A blind end is a dead end with this chance, or else a way out.
 constexpr double kDeadEndShare = 0.35;
-/// Way out: the goal lies at this share of the last passage, the mouth at its end.
-constexpr double kGoalShare = 0.6;
+constexpr int kEntrance = 0;  ///< its crossing, and its node
 
 struct Crossing {
   Eigen::Vector3d place;
@@ -43,6 +43,7 @@ class NetworkGrowth {
     for (const std::size_t end : ends)  // the entrance is crossing 0 and comes first
       for (const std::size_t link : crossings_[end].links)
         if (!links_[link].is_used) follow(end, link);
+    lead_out(layout_, kEntrance, config_.goal_min_m);
     return std::move(layout_);
   }
 
@@ -117,7 +118,7 @@ class NetworkGrowth {
     const auto [found, is_new] = nodes_.try_emplace(crossing, static_cast<int>(layout_.nodes.size()));
     if (is_new) {
       NodeKind kind = NodeKind::kJunction;
-      if (crossing == 0)
+      if (crossing == kEntrance)
         kind = NodeKind::kMouth;
       else if (crossings_[crossing].links.size() == 1)
         kind = row_.chance(kDeadEndShare) ? NodeKind::kDeadEnd : NodeKind::kMouth;
@@ -153,7 +154,10 @@ class NetworkGrowth {
       link = links[0] == link ? links[1] : links[0];
       if (links_[link].is_used) break;
     }
-    add_passage(node_of(from), node_of(at), axis_of(rounded(std::move(corners))));
+    // One after the other: in which order a call's arguments are worked out is the compiler's choice.
+    const int first = node_of(from);
+    const int last = node_of(at);
+    add_passage(first, last, axis_of(rounded(std::move(corners))), crossings_[from].links.size() == 1);
   }
 
   static std::vector<Corner> rounded(std::vector<Corner> corners) {
@@ -184,37 +188,20 @@ class NetworkGrowth {
     return axis;
   }
 
-  Mouth mouth_of(const AxisPoint& end, const AxisPoint& inner, bool has_apron) const {
-    const Eigen::Vector3f out = end.place - inner.place;
-    return {end.place, Eigen::Vector2f(out.x(), out.y()).normalized(), end.width_m, end.height_m, has_apron};
-  }
-
-  void add_passage(int from, int to, std::vector<AxisPoint> axis) {
-    const auto is_mouth = [&](int node) {
-      return layout_.nodes[static_cast<std::size_t>(node)].kind == NodeKind::kMouth;
-    };
-    if (is_mouth(from) && from != entrance_) {
+  /// Blind ends are where their passages end; the entrance is where the first one begins.
+  void add_passage(int from, int to, std::vector<AxisPoint> axis, bool begins_blind) {
+    if (from == kEntrance) {
+      layout_.mouths.push_back(mouth_at(axis[0], axis[1], config_.apron_m > 0.0));
+    } else if (begins_blind) {
       std::swap(from, to);
       std::reverse(axis.begin(), axis.end());
     }
-    if (is_mouth(from) && from == entrance_)
-      layout_.mouths.push_back(mouth_of(axis[0], axis[1], config_.apron_m > 0.0));
-    if (!is_mouth(to) || to == entrance_) {
-      layout_.passages.push_back({from, to, std::move(axis)});
-      return;
-    }
-    layout_.mouths.push_back(mouth_of(axis.back(), axis[axis.size() - 2], false));
-    const auto cut = static_cast<std::ptrdiff_t>(kGoalShare * static_cast<double>(axis.size()));
-    layout_.nodes.push_back({NodeKind::kGoal, axis[static_cast<std::size_t>(cut)].place});
-    const int goal = static_cast<int>(layout_.nodes.size()) - 1;
-    layout_.passages.push_back({from, goal, {axis.begin(), axis.begin() + cut + 1}});
-    layout_.passages.push_back({goal, to, {axis.begin() + cut, axis.end()}});
+    layout_.passages.push_back({from, to, std::move(axis)});
   }
 
   const CourseConfig& config_;
   SeededRow row_;
   double length_m_ = 0.0;
-  static constexpr int entrance_ = 0;
   std::vector<Crossing> crossings_;
   std::vector<Link> links_;
   std::map<Cell, std::size_t> cells_;

@@ -5,6 +5,7 @@ find_package(fmt REQUIRED)
 find_package(yaml-cpp REQUIRED)
 target_sources(adit_sim PRIVATE
   world/axis.cpp
+  world/blind_ends.cpp
   world/build_course.cpp
   world/course_check.cpp
   world/course_yaml.cpp

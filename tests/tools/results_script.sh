@@ -44,4 +44,32 @@ results --size 160x120 --seeds 2 slope || fail "half a row of ours must be flown
 results --table || fail "no table: $(cat log)"
 grep -q -- '--method adit --size 160x120 --seeds 2` flies them' docs/results.md || fail "the page has not the whole command"
 grep -q 'Frames of 160x120 px' docs/results.md || fail "the page tells a size that was not flown"
+# Rows whose flights are gone keep their lines, of this method and of the other; those that were not whole do not.
+cat > docs/results.md <<'EOF'
+## Method `adit`
+
+| T junction | 7 of 15 | kept |
+| straight, 5 m wide | 9 of 15 | flown anew |
+| Y junction | not whole: 1 of 15 seeds flown | – |
+| no such row | 1 of 15 |
+
+Frames of 160x120 px at 20 Hz.
+
+## Method `paper`
+
+| T junction | 3 of 15 | of the paper |
+EOF
+results --table || fail "no table beside kept rows: $(cat log)"
+section_of() { sed -n "/^## Method .$1.\$/,/^## Method .[^$1]/p" docs/results.md; }
+section_of adit | grep -qx '| T junction | 7 of 15 | kept |' || fail "a kept row is lost: $(cat docs/results.md)"
+section_of adit | grep -q '^| straight, 5 m wide | 2 of 2 ' || fail "a flown row is not in the table"
+if grep -q 'flown anew\|no such row\|not whole: ' docs/results.md; then fail "a line that must go is kept"; fi
+section_of paper | grep -qx '| T junction | 3 of 15 | of the paper |' || fail "the other method's table is lost"
+grep -q '^Kept as they stood, .*: 1 of the rows' docs/results.md || fail "the page does not say which are kept"
+grep -q '^Flown by .*straight, 5 m wide' docs/results.md || fail "the page does not say who flew the others"
+cp docs/results.md before
+results --table
+cmp -s before docs/results.md || fail "made again, the page is another: $(diff before docs/results.md)"
+results --table --quick || fail "no quick table: $(cat log)"
+if grep -q 'T junction' docs/results.md; then fail "a quick table kept a row of whole flights"; fi
 echo "results_script: passed"

@@ -50,6 +50,43 @@ TEST(BendCount, EachRightAngleBetweenStraightPiecesIsOne) {
   EXPECT_EQ(f.count.bends(), 5) << "and one the other way";
 }
 
+TEST(BendCount, AnSWithoutStraightWayIsAsManyBendsAsItHasTurns) {
+  Flown f;
+  f.go(20);
+  f.go(15.7, kRight);
+  f.go(15.7, -kRight);
+  f.go(15.7, kRight);
+  EXPECT_EQ(f.count.bends(), 2) << "the third is not over";
+  f.go(10);
+  EXPECT_EQ(f.count.bends(), 3);
+  for (int i = 0; i < 2; ++i) {  // corners that are cut: 57 degrees are left of 90
+    f.go(10, -1.0);
+    f.go(10, 1.0);
+  }
+  f.go(10);
+  EXPECT_EQ(f.count.bends(), 7);
+}
+
+TEST(BendCount, AnSThatThePassageDoesNotTakeIsNone) {
+  Flown f;
+  f.go(20);
+  // The passage goes straight on: it lies off the nose by as much as the nose has turned.
+  double off_rad = 0.0;
+  const auto swing = [&](double way_m, double turn_rad) {
+    for (int i = 0; i < 10; ++i) {
+      f.go(way_m / 10.0, turn_rad / 10.0, off_rad - 2.5 * turn_rad / way_m);
+      off_rad -= turn_rad / 10.0;
+    }
+  };
+  for (int i = 0; i < 4; ++i) {
+    swing(10, 0.9);
+    swing(20, -1.8);
+    swing(10, 0.9);
+  }
+  f.go(10);
+  EXPECT_EQ(f.count.bends(), 0);
+}
+
 TEST(BendCount, WeavingInAStraightPassageIsNone) {
   Flown f;
   f.go(10);

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <opencv2/imgcodecs.hpp>
+
 #include "adit/sim/render.hpp"
 #include "box.hpp"
 #include "tile.hpp"
@@ -57,6 +59,31 @@ TEST(Repeat, TheSameShotGivesTheSameBytesOnOneTwoAndFourThreads) {
     }
   }
   EXPECT_NE(one.render(full_shot(8)).bgr, expected.bgr);
+}
+
+TEST(Repeat, StripsOfJpegAreTheWholeFrame) {
+  const World world = full_world();
+  RigConfig rig = full_rig();
+  RenderConfig render;
+  for (const int height : {150, 384, 490}) {  // one strip; as many as there are threads, with and without a part block
+    rig.lens.height = height;
+    rig.sensor.jpeg_quality = 0;
+    Frame plain = Renderer(world, rig, render).render(full_shot(5));
+    for (const int quality : {10, 90, 100}) {
+      std::vector<std::uint8_t> packed;
+      const cv::Mat image(plain.height, plain.width, CV_8UC3, plain.bgr.data());
+      cv::imencode(".jpg", image, packed, {cv::IMWRITE_JPEG_QUALITY, quality});
+      const cv::Mat back = cv::imdecode(packed, cv::IMREAD_COLOR);
+      const std::vector<std::uint8_t> expected(back.datastart, back.dataend);
+      ASSERT_NE(expected, plain.bgr);
+      rig.sensor.jpeg_quality = quality;
+      for (const int threads : {1, 2, 0}) {
+        render.threads = threads;
+        EXPECT_EQ(Renderer(world, rig, render).render(full_shot(5)).bgr, expected)
+            << height << " px, quality " << quality << ", " << threads << " threads";
+      }
+    }
+  }
 }
 
 TEST(Repeat, EveryCpuTargetGivesTheSameBytes) {

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "adit/sim/course.hpp"
+#include "adit/sim/network.hpp"
 #include "adit/sim/scene.hpp"
 #include "adit/sim/world_error.hpp"
 
@@ -97,6 +98,48 @@ TEST(RandomCourses, HaveTheLengthThatIsAskedFor) {
       expect_free_axis(world);
     }
   }
+}
+
+CourseConfig bare_network(int seed, double length_m) {
+  CourseConfig config;
+  config.layout = LayoutKind::kRandomNetwork;
+  config.seed = seed;
+  config.length_m = length_m;
+  config.cell_m = 0.5;
+  config.stones_per_m2 = config.pipe_count = config.cable_count = config.prop_spacing_m = 0.0;
+  return config;
+}
+
+TEST(RandomNetworks, BeginAtTheEntranceAndHaveNoGoalNearby) {
+  for (int seed = 1; seed <= 6; ++seed) {
+    const CourseConfig config = bare_network(seed, 300.0);
+    const World world = build_course(config);
+    EXPECT_LT(world.passages.front().axis.front().place.norm(), 0.01f) << "seed " << seed;
+    EXPECT_EQ(world.nodes[static_cast<std::size_t>(world.passages.front().from)].kind, NodeKind::kMouth);
+    EXPECT_NEAR(world.start.place.x(), config.start_along_m, 0.1) << "seed " << seed;
+    const Network network(world);
+    const AxisPlace entrance = network.nearest(Eigen::Vector3d::Zero());
+    ASSERT_TRUE(network.has_goal()) << "seed " << seed;
+    EXPECT_GE(network.to_goal_m(entrance), config.goal_min_m - 0.5) << "seed " << seed;
+    EXPECT_LT(network.to_goal_m(entrance), config.length_m) << "seed " << seed;
+  }
+}
+
+TEST(RandomNetworks, WhereNoEndIsFarTheFurthestIsTheGoal) {
+  CourseConfig config = bare_network(3, 120.0);
+  config.goal_min_m = 1000.0;
+  const World world = build_course(config);
+  const Network network(world);
+  const AxisPlace entrance = network.nearest(Eigen::Vector3d::Zero());
+  int goals = 0;
+  double furthest_m = 0.0;
+  for (const Node& node : world.nodes) {
+    goals += node.kind == NodeKind::kGoal ? 1 : 0;
+    if (node.kind == NodeKind::kDeadEnd)
+      furthest_m = std::max(furthest_m, network.between_m(entrance, network.nearest(node.place.cast<double>())));
+  }
+  EXPECT_EQ(goals, 1);
+  EXPECT_GT(network.to_goal_m(entrance), 0.6 * furthest_m);
 }
 
 TEST(RandomCourses, NoRoomIsSaid) {

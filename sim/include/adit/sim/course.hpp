@@ -97,6 +97,7 @@ struct CourseConfig {
   double grade_max = 0.08;
   double branch_probability = 0.35;
   double grid_m = 25.0;
+  double goal_min_m = 100.0;
 
   double cell_m = 0.13;
   double undulation_m = 0.16;

@@ -68,6 +68,10 @@ void visit_fields(Config& c, Visitor&& visit) {
   visit(FieldNote{"grid_m", "m", 12, 200, "Random networks: distance of crossings.",
                   "room and pillar: 15 to 30 m between centres"},
         c.grid_m);
+  visit(FieldNote{"goal_min_m", "m", 0, 20000,
+                  "Random networks: no goal nearer along the axes; where none is that far, the furthest end is one.",
+                  "chosen: a flight that leaves by the first side drift shows little"},
+        c.goal_min_m);
 
   visit(FieldNote{"cell_m", "m", 0.04, 0.5, "Cell of the mesh.", "0.13: 200,000 triangles in a drift of 60 m"},
         c.cell_m);

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -81,6 +82,11 @@ class Eye {
   [[nodiscard]] virtual bool flashes() const { return false; }
   /// For the frames from now on.
   virtual void switch_lamps(bool /*on*/) {}
+  /// Does both, which have nothing to do with each other: beside each other where it has threads for that.
+  virtual void both(const std::function<void()>& one, const std::function<void()>& other) {
+    one();
+    other();
+  }
 };
 
 /// How a flight ended.
@@ -167,8 +173,11 @@ class Flight {
   void engage(const FlightSettings& settings);
   void take_frame();
   [[nodiscard]] Sight judged();
+  [[nodiscard]] Sight judged_and_measured();
   void deliver();
+  void measure();
   void survey();
+  void sweep();
   [[nodiscard]] double speed_m_s() const noexcept;
   bool fly_to_next_frame();
   [[nodiscard]] bool is_stuck();

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -120,6 +121,8 @@ class Renderer {
   [[nodiscard]] std::shared_ptr<const RayScene> shared_scene() const noexcept;
   [[nodiscard]] const Camera& camera() const noexcept;
   [[nodiscard]] const RigConfig& rig() const noexcept;
+  /// Does both on the renderer's threads, beside each other where there are two.
+  void both(const std::function<void()>& one, const std::function<void()>& other) const;
   /// Place of the lens in the world, and the rotation from the optical frame (x right, y down, z forward) to it.
   [[nodiscard]] Eigen::Isometry3f camera_pose(const RigPose& pose) const;
 

@@ -22,6 +22,9 @@ class RenderedEye : public Eye {
   ImageView look(const VehicleState& vehicle, double stamp_s, std::uint64_t seed) override;
   [[nodiscard]] bool flashes() const override { return renderer_.rig().lamps.flash; }
   void switch_lamps(bool on) override { lamps_on_ = on; }
+  void both(const std::function<void()>& one, const std::function<void()>& other) override {
+    renderer_.both(one, other);
+  }
 
   /// The last frame, with range and exposure.
   [[nodiscard]] const Frame& frame() const noexcept { return frame_; }

@@ -112,6 +112,7 @@ class Navigator {
   void choose_gap(const Step& step) noexcept;
   std::optional<double> side_mouth(const Step& step) noexcept;
   double choose_target() const noexcept;
+  void count_refusals(const OpenSpace& open_space, double time_s) noexcept;
   void begin_turn() noexcept;
   NavigatorCommand follow(double stamp_s, double time_s) noexcept;
   NavigatorCommand turn(double stamp_s) noexcept;
@@ -145,6 +146,7 @@ class Navigator {
   double goal_rad_ = 0.0, target_rad_ = 0.0;
   double rival_s_ = 0.0;
   double blocked_s_ = 0.0;
+  double refused_s_ = 0.0;   ///< since the last opening worth trust, or the last turn
   double trust_ = 0.0;       ///< confidence of the openings seen, smoothed
   double turned_rad_ = 0.0;  ///< in this turn
   double turn_sign_ = 0.0;   ///< of the yaw rate

@@ -145,6 +145,27 @@ TEST(Navigator, TurnsRoundAtADeadEndAndComesOut) {
   EXPECT_NEAR(std::abs(f.turned_rad), std::numbers::pi, 0.6);
 }
 
+// A gap of black rock, as ranges from brightness see it, where all frames say that there is none.
+TEST(Navigator, DoesNotCreepForLongIntoWhatTheFramesRefuse) {
+  const auto seconds_until_turn = [](Status status, double confidence) {
+    Navigator navigator{NavigatorConfig{}};
+    Sight sight;
+    sight.open_space.status = status;
+    sight.open_space.confidence = confidence;
+    sight.profile.valid = true;
+    sight.profile.azimuth_first_rad = -0.65;
+    sight.profile.azimuth_step_rad = 1.3 / (kRangeBins - 1);
+    sight.profile.range_m.fill(2.9f);
+    double time_s = 0.0;
+    while (time_s < 20.0 && navigator.steer(sight, time_s, {0.0, 0.0}).manoeuvre != Manoeuvre::kTurn) time_s += 0.05;
+    return time_s;
+  };
+  const double refused_s = seconds_until_turn(Status::kNoOpening, 0.0);
+  EXPECT_GT(refused_s, 3.0);
+  EXPECT_LT(refused_s, 6.0);
+  EXPECT_GE(seconds_until_turn(Status::kFound, 0.9), 20.0);
+}
+
 TEST(Navigator, InAClosedRoomItTurnsOnceRoundAndGivesUp) {
   LitPlan plan;
   plan.add_passage({{-1.2, 0}, {1.2, 0}}, 2.4, true, true);

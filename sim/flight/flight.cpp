@@ -83,7 +83,6 @@ std::string_view to_string(Delivery delivery) noexcept {
 
 Flight::Flight(const FlightSettings& settings, const World& world, const RayScene& scene, Eye& eye)
     : settings_(checked(settings)),
-      scene_(&scene),
       eye_(&eye),
       network_(world),
       vehicle_(settings.vehicle, scene, drawn_start(settings, world.start, scene), settings.seed),

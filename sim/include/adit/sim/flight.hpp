@@ -192,7 +192,6 @@ class Flight {
   };
 
   FlightSettings settings_;
-  const RayScene* scene_;
   Eye* eye_;
   Network network_;
   Vehicle vehicle_;

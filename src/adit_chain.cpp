@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "best_opening.hpp"
 #include "enclosure.hpp"
 #include "opening_extent.hpp"
 #include "way_odds.hpp"
@@ -65,18 +66,6 @@ void aim(Pixel centroid_px, const Camera& camera, Opening& to) noexcept {
 std::uint16_t product_256th(std::uint16_t a, std::uint16_t b) noexcept {
   const auto wide = static_cast<std::uint32_t>(static_cast<std::uint16_t>(a << 4)) * static_cast<std::uint16_t>(b << 4);
   return static_cast<std::uint16_t>(wide >> 16);
-}
-
-/// What the answer repeats of its best opening.
-void note_best(Rule rule, OpenSpace& out) noexcept {
-  const Opening& best = out.openings[0];
-  out.status = Status::kFound;
-  out.rule = rule;
-  out.confidence = best.confidence;
-  out.centroid_px = best.centroid_px;
-  out.point = best.point;
-  out.bearing = best.bearing;
-  out.area_fraction = best.area_fraction;
 }
 
 template <class Value, class Of>
@@ -309,8 +298,7 @@ void AditChain::note_openings(const FinderConfig& config, const Camera& camera, 
     out.status = Status::kNoOpening;
     return;
   }
-  const Rule by_rim = out.openings[0].touches_border ? Rule::kOpenSided : Rule::kEnclosed;
-  note_best(out.flags.dust ? Rule::kVeil : by_rim, out);
+  note_best(out.flags.dust ? Rule::kVeil : rule_by_rim(out.openings[0]), out);
 }
 
 void AditChain::note_opening(const Candidate& from, const Camera& camera, Opening& to) const noexcept {

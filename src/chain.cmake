@@ -17,6 +17,7 @@ target_sources(adit_core PRIVATE
   kmeans_exact.cpp
   kmeans_lloyd.cpp
   lamp.cpp
+  lens_watch.cpp
   lobe.cpp
   names.cpp
   navigator.cpp

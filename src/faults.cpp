@@ -51,6 +51,7 @@ std::optional<std::string> fault_of(const ColumnRangeConfig& config) { return fi
 std::optional<std::string> fault_of(const RangeMemoryConfig& config) { return first_fault_of(config); }
 std::optional<std::string> fault_of(const TrackerConfig& config) { return first_fault_of(config); }
 std::optional<std::string> fault_of(const FrameWatchConfig& config) { return first_fault_of(config); }
+std::optional<std::string> fault_of(const LensWatchConfig& config) { return first_fault_of(config); }
 std::optional<std::string> fault_of(const SteeringConfig& config) { return first_fault_of(config); }
 
 }  // namespace adit

@@ -58,6 +58,7 @@ Navigator::Navigator(const NavigatorConfig& config)
     : config_(checked(config)),
       finder_(config.finder),
       watch_(config.frame_watch),
+      lens_watch_(config.lens_watch, config.finder.assumed_hfov_deg, config.finder.grey16_depth_bits),
       column_range_(config.column_range, config.finder.assumed_hfov_deg, config.finder.grey16_depth_bits),
       memory_(config.range_memory),
       tracker_(config.tracker),
@@ -68,6 +69,7 @@ Navigator::Navigator(const NavigatorConfig& config, const Camera& camera)
       finder_(config.finder, camera),
       camera_(camera),
       watch_(config.frame_watch),
+      lens_watch_(config.lens_watch, camera, config.finder.grey16_depth_bits),
       column_range_(config.column_range, camera, config.finder.grey16_depth_bits),
       memory_(config.range_memory),
       tracker_(config.tracker),
@@ -77,6 +79,7 @@ void Navigator::reset() noexcept {
   memory_.reset();
   side_mouth_.reset();
   tracker_.reset();
+  lens_watch_.reset();
   controller_.reset();
   last_stamp_s_.reset();
   command_ = {};
@@ -127,7 +130,16 @@ Sight Navigator::finish_look(const ImageView& frame, const OpenSpace& open_space
   const Status stream = watch_.judge(frame);
   // What the frame alone shows to be wrong is the better name for it: a dead lamp's black frames are also all the same.
   if (stream != Status::kFound && is_usable(sight.open_space.status)) sight.open_space.status = stream;
+  if (config_.finder.method == Method::kAdit && is_usable(sight.open_space.status)) watch_lens(frame, sight);
   return sight;
+}
+
+void Navigator::watch_lens(const ImageView& frame, Sight& sight) noexcept {
+  lens_watch_.look(frame);
+  lens_watch_.take_out(sight.open_space);
+  constexpr double kDegree = std::numbers::pi / 180.0;
+  lens_watch_.take_out(sight.profile, kDegree * config_.column_range.band_low_deg,
+                       kDegree * config_.column_range.band_high_deg);
 }
 
 Step Navigator::step_to(double stamp_s, const Motion& motion) noexcept {
@@ -157,6 +169,7 @@ NavigatorCommand Navigator::steer(const Sight& sight, double stamp_s, const Moti
   if (stamp_fault == StampFault::kJump) memory_.reset();  // nobody knows where the walls are now
   const Step step = step_to(stamp_s, motion);
   memory_.move(step);
+  lens_watch_.turn(step.yaw_rad);
   tracker_.update(sight.open_space, step.time_s, step.yaw_rad);
   goal_rad_ += step.yaw_rad;
   target_rad_ += step.yaw_rad;

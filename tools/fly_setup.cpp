@@ -122,11 +122,13 @@ io::Settings sections_of(FlySettings& s) {
   settings.add("tracker", s.flight.tracker);
   settings.add("steering", s.flight.steering);
   settings.add("frame_watch", s.flight.frame_watch);
+  settings.add("lens_watch", s.flight.lens_watch);
   settings.add(lamps_alike(s.rig.lamps));
   settings.add("lamps", s.rig.lamps);
   settings.add("lens", s.rig.lens);
   settings.add("sensor", s.rig.sensor);
   settings.add("dust", s.rig.dust);
+  settings.add("dirt", s.rig.dirt);
   settings.add("render", s.render);
   settings.add("course", s.course);
   return settings;

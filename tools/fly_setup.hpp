@@ -44,7 +44,7 @@ struct FlySettings {
 };
 
 /// The sections of FlySettings, for YAML and `--set`: flight, vehicle, truth, lidar, imu, finder, heading, lamp (all
-/// lamps alike), lamps, lens, sensor, dust, render, course.
+/// lamps alike), lamps, lens, sensor, dust, dirt, render, course.
 [[nodiscard]] io::Settings sections_of(FlySettings& settings);
 
 /// A world and the rays in it.

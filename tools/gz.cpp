@@ -42,7 +42,8 @@ struct Options {
 node::PerceptionSettings settings_of(const Options& options) {
   node::PerceptionSettings settings;
   const io::Configuration c = configuration_of(options.finder);
-  settings.navigator = {c.finder, c.heading, c.column_range, c.range_memory, c.tracker, c.steering, c.frame_watch};
+  settings.navigator = {c.finder,  c.heading,  c.column_range, c.range_memory,
+                        c.tracker, c.steering, c.frame_watch,  c.lens_watch};
   settings.node.speed_m_s = options.speed_m_s;
   settings.node.is_steered = !options.is_recorded;
   if (!parse(options.pilot, settings.node.pilot))

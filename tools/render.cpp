@@ -79,7 +79,7 @@ io::Settings rendered_sections(FlySettings& settings, sim::ViewpointConfig& view
   io::Settings all = sections_of(settings);
   all.add("viewpoint", viewpoints);
   io::Settings some;
-  for (const char* name : {"viewpoint", "truth", "lamp", "lamps", "lens", "sensor", "dust", "render", "course"})
+  for (const char* name : {"viewpoint", "truth", "lamp", "lamps", "lens", "sensor", "dust", "dirt", "render", "course"})
     for (const io::SettingSection& section : all.sections())
       if (section.name == name && (with_course || section.name != "course")) some.add(section);
   return some;

@@ -16,7 +16,7 @@ namespace adit::tools {
 namespace {
 
 io::Configuration configuration_of(const sim::FlightSettings& s) {
-  return {s.finder, s.heading, s.column_range, s.range_memory, s.tracker, s.steering, s.frame_watch};
+  return {s.finder, s.heading, s.column_range, s.range_memory, s.tracker, s.steering, s.frame_watch, s.lens_watch};
 }
 
 /// Steep patches of less than half a square metre are stones on the floor and knobs of the roof.

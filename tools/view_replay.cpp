@@ -24,7 +24,7 @@ SightFlags flags_of(const std::string& text) {
   const auto has = [words = "+" + text + "+"](const char* name) {
     return words.find(std::string("+").append(name).append("+")) != std::string::npos;
   };
-  return {has("dust"), has("glare"), has("blocked_lens"), has("too_dark"), has("too_bright")};
+  return {has("dust"), has("glare"), has("blocked_lens"), has("too_dark"), has("too_bright"), has("dirty_lens")};
 }
 
 /// What a row of flight.csv says. Folders of before lack some columns.

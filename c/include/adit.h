@@ -88,6 +88,7 @@ typedef enum adit_distortion {
 #define ADIT_FLAG_BLOCKED_LENS 4u
 #define ADIT_FLAG_TOO_DARK 8u
 #define ADIT_FLAG_TOO_BRIGHT 16u
+#define ADIT_FLAG_DIRTY_LENS 32u /* of a navigator only: a spot on the lens was told from an opening */
 
 typedef struct adit_config adit_config;       /* every field, by name */
 typedef struct adit_finder adit_finder;       /* one frame in, the open space out; no memory between frames */

@@ -21,6 +21,7 @@ void visit_sections(Config& config, Visitor&& visit) {
   visit("tracker", config.tracker);
   visit("steering", config.steering);
   visit("frame_watch", config.frame_watch);
+  visit("lens_watch", config.lens_watch);
 }
 
 bool is_named(std::string_view field, std::string_view section, std::string_view name) {

@@ -81,7 +81,8 @@ adit_open_space c_of(const OpenSpace& open_space) noexcept {
   c.flags = (open_space.flags.dust ? ADIT_FLAG_DUST : 0u) | (open_space.flags.glare ? ADIT_FLAG_GLARE : 0u) |
             (open_space.flags.blocked_lens ? ADIT_FLAG_BLOCKED_LENS : 0u) |
             (open_space.flags.too_dark ? ADIT_FLAG_TOO_DARK : 0u) |
-            (open_space.flags.too_bright ? ADIT_FLAG_TOO_BRIGHT : 0u);
+            (open_space.flags.too_bright ? ADIT_FLAG_TOO_BRIGHT : 0u) |
+            (open_space.flags.dirty_lens ? ADIT_FLAG_DIRTY_LENS : 0u);
   c.darkest_level = open_space.darkest_level;
   c.atmospheric_light = open_space.atmospheric_light;
   c.veil_fraction = open_space.veil_fraction;

@@ -80,7 +80,7 @@ class AditFinder {
     const view = this.view(), at = this.openSpace;
     const real = (i) => view.getFloat64(at + 24 + 8 * i, true);
     const flags = view.getUint32(at + 12, true);
-    const names = ["dust", "glare", "blocked lens", "too dark", "too bright"];
+    const names = ["dust", "glare", "blocked lens", "too dark", "too bright", "dirty lens"];
     const seen = {
       status: this.wasm.UTF8ToString(this.wasm._adit_status_name(view.getInt32(at + 4, true))),
       flags: names.filter((_, bit) => flags & (1 << bit)),

@@ -116,8 +116,11 @@ struct SightFlags {
   bool blocked_lens = false;  ///< see Status::kBlockedLens
   bool too_dark = false;      ///< the picture is usable, if at all, only after amplification: noise counts
   bool too_bright = false;    ///< a large part of the frame is at the end of the range
+  bool dirty_lens = false;    ///< a spot on the lens was told from an opening (lens_watch.hpp); sequences only
 
-  [[nodiscard]] bool any() const noexcept { return dust || glare || blocked_lens || too_dark || too_bright; }
+  [[nodiscard]] bool any() const noexcept {
+    return dust || glare || blocked_lens || too_dark || too_bright || dirty_lens;
+  }
 };
 
 /// "found", "too_dark", ...: the spelling in tables, messages and YAML.

@@ -12,6 +12,7 @@
 #include "adit/finder.hpp"
 #include "adit/frame_watch.hpp"
 #include "adit/heading.hpp"
+#include "adit/lens_watch.hpp"
 #include "adit/range_memory.hpp"
 #include "adit/side_mouth.hpp"
 #include "adit/tracker.hpp"
@@ -27,6 +28,7 @@ struct NavigatorConfig {
   TrackerConfig tracker;
   SteeringConfig steering;
   FrameWatchConfig frame_watch;
+  LensWatchConfig lens_watch;
 };
 
 /// What the navigator is about.
@@ -104,6 +106,7 @@ class Navigator {
   void reset() noexcept;
 
   [[nodiscard]] const OpeningTracker& tracker() const noexcept { return tracker_; }
+  [[nodiscard]] const LensWatch& lens_watch() const noexcept { return lens_watch_; }
   [[nodiscard]] const RangeMemory& ranges() const noexcept { return memory_; }
   [[nodiscard]] const Ways& ways() const noexcept { return ways_; }
 
@@ -123,6 +126,7 @@ class Navigator {
   double free_ahead_m() const noexcept;
 
   Sight finish_look(const ImageView& frame, const OpenSpace& open_space, bool learn) noexcept;
+  void watch_lens(const ImageView& frame, Sight& sight) noexcept;
   void learn_lamp(const ImageView& frame) noexcept;
 
   NavigatorConfig config_;
@@ -132,6 +136,7 @@ class Navigator {
   bool learns_lamp_ = false;
   std::optional<LampModel> lamp_;  ///< made at the first frame, whose size it needs
   FrameWatch watch_;
+  LensWatch lens_watch_;
   ColumnRange column_range_;
   RangeMemory memory_;
   SideMouth side_mouth_;

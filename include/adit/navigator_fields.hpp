@@ -126,4 +126,25 @@ void visit_fields(Config& c, Visitor&& visit) {
         c.torn_frames_max);
 }
 
+/// See above.
+template <class Config, class Visitor>
+requires std::is_same_v<std::remove_const_t<Config>, LensWatchConfig>
+void visit_fields(Config& c, Visitor&& visit) {
+  visit(FieldNote{"turn_step_rad", "rad", 0.01, 1, "The lens is looked at whenever the vehicle has turned by this.",
+                  "two cells of 75 deg / 80"},
+        c.turn_step_rad);
+  visit(FieldNote{"turn_min_rad", "rad", 0.05, 6, "Turned to the left, and to the right, before dirt is named.",
+                  "three times the rim and its width: a way on has moved through it"},
+        c.turn_min_rad);
+  visit(FieldNote{"looks_min", "", 3, 1000, "Looks before dirt is named.", "a smooth curve's rim shows itself by then"},
+        c.looks_min);
+  visit(FieldNote{"dark_fraction", "", 0.05, 0.9,
+                  "Dark is what lies lower than this between the frame's darkest place and its median.",
+                  "flights: black dirt 0 to 0.2, rock from 0.5 on"},
+        c.dark_fraction);
+  visit(FieldNote{"rim_rad", "rad", 0.01, 0.5, "So far from the dirt it is not dark.",
+                  "width of a spot's soft edge: aperture over its distance to the glass"},
+        c.rim_rad);
+}
+
 }  // namespace adit

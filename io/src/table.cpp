@@ -129,6 +129,7 @@ std::string flags_text(const SightFlags& flags) {
   add(flags.blocked_lens, "blocked_lens");
   add(flags.too_dark, "too_dark");
   add(flags.too_bright, "too_bright");
+  add(flags.dirty_lens, "dirty_lens");
   return text;
 }
 

@@ -19,6 +19,7 @@ std::string flags_text(const SightFlags& flags) {
   add(flags.blocked_lens, "blocked lens");
   add(flags.too_dark, "too dark");
   add(flags.too_bright, "too bright");
+  add(flags.dirty_lens, "dirty lens");
   return text.empty() ? "none" : text;
 }
 

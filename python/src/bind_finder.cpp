@@ -136,6 +136,7 @@ void bind_open_space(py::module_& module) {
         flags["blocked_lens"] = s.flags.blocked_lens;
         flags["too_dark"] = s.flags.too_dark;
         flags["too_bright"] = s.flags.too_bright;
+        flags["dirty_lens"] = s.flags.dirty_lens;
         return flags;
       },
       "What disturbs the view, by name.");

@@ -76,14 +76,17 @@ void bind_navigator(py::module_& module) {
   navigator.def(
       py::init([](const FinderConfig& finder, const std::optional<Camera>& camera, const HeadingConfig& heading,
                   const ColumnRangeConfig& column_range, const RangeMemoryConfig& range_memory,
-                  const TrackerConfig& tracker, const SteeringConfig& steering, const FrameWatchConfig& frame_watch) {
-        const NavigatorConfig config{finder, heading, column_range, range_memory, tracker, steering, frame_watch};
+                  const TrackerConfig& tracker, const SteeringConfig& steering, const FrameWatchConfig& frame_watch,
+                  const LensWatchConfig& lens_watch) {
+        const NavigatorConfig config{finder,  heading,  column_range, range_memory,
+                                     tracker, steering, frame_watch,  lens_watch};
         return std::make_unique<LockedNavigator>(camera ? Navigator(config, *camera) : Navigator(config));
       }),
       py::arg("config") = FinderConfig(), py::arg("camera") = py::none(), py::kw_only(),
       py::arg("heading") = HeadingConfig(), py::arg("column_range") = ColumnRangeConfig(),
       py::arg("range_memory") = RangeMemoryConfig(), py::arg("tracker") = TrackerConfig(),
-      py::arg("steering") = SteeringConfig(), py::arg("frame_watch") = FrameWatchConfig());
+      py::arg("steering") = SteeringConfig(), py::arg("frame_watch") = FrameWatchConfig(),
+      py::arg("lens_watch") = LensWatchConfig());
   navigator.def(
       "update",
       [](LockedNavigator& self, const py::array& frame, double stamp_s, std::optional<double> yaw_rate_rad_s,

@@ -15,6 +15,7 @@ void bind_configs(py::module_& module) {
   bind_config<TrackerConfig>(module, "TrackerConfig", "Every constant of the tracker of openings.");
   bind_config<SteeringConfig>(module, "SteeringConfig", "Every constant of the steering.");
   bind_config<FrameWatchConfig>(module, "FrameWatchConfig", "Every constant of the watch over the stream of frames.");
+  bind_config<LensWatchConfig>(module, "LensWatchConfig", "Every constant of the watch over dirt on the lens.");
 }
 
 }  // namespace adit::python

@@ -6,7 +6,7 @@ usage: PYTHONPATH=build/python python3 python/stubs/make_stub.py > python/adit/_
 import adit
 
 CONFIGS = [adit.Config, adit.HeadingConfig, adit.ColumnRangeConfig, adit.RangeMemoryConfig, adit.TrackerConfig,
-           adit.SteeringConfig, adit.FrameWatchConfig]
+           adit.SteeringConfig, adit.FrameWatchConfig, adit.LensWatchConfig]
 
 HEAD = '''# Made by python/stubs/make_stub.py; do not edit.
 from typing import Any, Literal, Optional, Sequence, TypedDict, final
@@ -174,6 +174,7 @@ class Navigator:
         self, config: Config = ..., camera: Optional[Camera] = None, *, heading: HeadingConfig = ...,
         column_range: ColumnRangeConfig = ..., range_memory: RangeMemoryConfig = ..., tracker: TrackerConfig = ...,
         steering: SteeringConfig = ..., frame_watch: FrameWatchConfig = ...,
+        lens_watch: LensWatchConfig = ...,
     ) -> None: ...
     def update(
         self, frame: Frame, stamp_s: float, *, yaw_rate_rad_s: Optional[float] = None,

@@ -111,8 +111,9 @@ void Flight::engage(const FlightSettings& s) {
     navigator_.reset();
     speed_scale_ = 1.0;
   } else {
-    Navigator navigator({s.finder, s.heading, s.column_range, s.range_memory, s.tracker, s.steering, s.frame_watch},
-                        eye_->camera());
+    Navigator navigator(
+        {s.finder, s.heading, s.column_range, s.range_memory, s.tracker, s.steering, s.frame_watch, s.lens_watch},
+        eye_->camera());
     navigator_.emplace(std::move(navigator));
     speed_scale_ = 0.0;  // until it has said
     finder_.reset();
@@ -129,6 +130,7 @@ void Flight::change(const NavigatorConfig& config) {
   changed.tracker = config.tracker;
   changed.steering = config.steering;
   changed.frame_watch = config.frame_watch;
+  changed.lens_watch = config.lens_watch;
   engage(changed);
   settings_ = changed;
 }

@@ -18,6 +18,7 @@ target_sources(adit_sim PRIVATE
   light/shadows.cpp
   light/light_pass.cpp
   light/lens_pass.cpp
+  light/dirt_pass.cpp
   light/grains.cpp
   light/renderer.cpp
   light/rigs.cpp

@@ -65,6 +65,7 @@ struct Renderer::Parts {
   std::vector<Eigen::Vector3f> mouths;
   std::unique_ptr<BackscatterTable> backscatter;
   SensorTables sensor;
+  std::vector<float> dirt_passed;  ///< share of the light that passes the glass, of each pixel; empty: clean
   // Of the frame under work.
   bool lamps_on = true;  ///< the rig's
   std::vector<float> planes[3], blurred[3], range, mosaic;
@@ -109,6 +110,7 @@ std::unique_ptr<BackscatterTable> backscatter_of(const std::vector<OwnLamp>& lam
 /// @param lamp in the optical frame.
 ParallaxTable parallax_of(const Eigen::Vector3f& lamp, const Renderer::Parts& parts);
 SensorTables sensor_tables_of(const Renderer::Parts& parts);
+std::vector<float> dirt_passed_of(const Renderer::Parts& parts);
 
 /// Where light of one lamp lands first: `count` points of a Fibonacci lattice over the lobe.
 /// @param pose lamp's frame (z along the axis) to world.
@@ -125,6 +127,7 @@ void add_unshadowed(Tile& tile, const Renderer::Parts& parts, const LampTerms& l
 void light_pass(Renderer::Parts& parts, const CameraMotion& motion, float readout_s);
 void lens_pass(Renderer::Parts& parts, const CameraMotion& motion, const Shot& shot);
 void grains_pass(Renderer::Parts& parts, const CameraMotion& motion, const Shot& shot);
+void dirt_pass(Renderer::Parts& parts);
 void sensor_pass(Renderer::Parts& parts, const Shot& shot, Frame& frame);
 void jpeg_pass(const Renderer::Parts& parts, Frame& frame);
 

@@ -150,6 +150,7 @@ Renderer::Renderer(const World& world, const RigConfig& rig, const RenderConfig&
     if (node.kind == NodeKind::kMouth) p.mouths.push_back(node.place);
   p.backscatter = backscatter_of(p.own_lamps, rig.dust, *p.camera, p.stride, p.rows);
   p.sensor = sensor_tables_of(p);
+  p.dirt_passed = dirt_passed_of(p);
   const std::size_t count = static_cast<std::size_t>(p.stride) * p.rows;
   for (int c = 0; c < 3; ++c) {
     p.planes[c].resize(count);
@@ -188,6 +189,7 @@ void Renderer::render(const Shot& shot, Frame& frame) {
   light_pass(p, motion, p.rig.sensor.readout_s);
   frame.times.light_ms = ms_since(clock);
   lens_pass(p, motion, shot);
+  dirt_pass(p);
   frame.times.lens_ms = ms_since(clock);
   sensor_pass(p, shot, frame);
   frame.times.sensor_ms = ms_since(clock);
@@ -212,6 +214,7 @@ Radiance Renderer::radiance(const Shot& shot) {
   p.lamps_on = shot.lamps_on;
   light_pass(p, motion, p.rig.sensor.readout_s);
   lens_pass(p, motion, shot);
+  dirt_pass(p);
   Radiance radiance{p.width, p.height, {}, {}, {}};
   std::vector<float>* const out[3] = {&radiance.red, &radiance.green, &radiance.blue};
   for (int c = 0; c < 3; ++c) {

@@ -140,6 +140,7 @@ std::string fault_of(const RigConfig& rig) {
   check(rig.lens, "lens.", fault);
   check(rig.sensor, "sensor.", fault);
   check(rig.dust, "dust.", fault);
+  check(rig.dirt, "dirt.", fault);
   return fault;
 }
 

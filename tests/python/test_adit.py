@@ -48,7 +48,7 @@ def test_finds_the_opening(finder):
     assert seen.azimuth_rad > 0.1  # to the right is positive
     assert seen.openings[0].centroid_px == seen.centroid_px
     assert 0 <= seen.confidence <= 1 and seen.total_ns > 0
-    assert set(seen.flags) == {"dust", "glare", "blocked_lens", "too_dark", "too_bright"}
+    assert set(seen.flags) == {"dust", "glare", "blocked_lens", "too_dark", "too_bright", "dirty_lens"}
     assert "found" in repr(seen)
 
 
@@ -165,7 +165,7 @@ def test_a_frame_that_cannot_be_judged_is_an_answer():
 
 
 CONFIGS = [adit.Config, adit.HeadingConfig, adit.ColumnRangeConfig, adit.RangeMemoryConfig, adit.TrackerConfig,
-           adit.SteeringConfig, adit.FrameWatchConfig]
+           adit.SteeringConfig, adit.FrameWatchConfig, adit.LensWatchConfig]
 
 
 @pytest.mark.parametrize("config", CONFIGS, ids=lambda c: c.__name__)

@@ -82,6 +82,7 @@ adit_ros1::OpenSpace open_space_of(const Sighting& sighting, const std::string& 
   m.blocked_lens = o.flags.blocked_lens;
   m.too_dark = o.flags.too_dark;
   m.too_bright = o.flags.too_bright;
+  m.dirty_lens = o.flags.dirty_lens;
   m.veil_fraction = static_cast<float>(o.veil_fraction);
   m.find_ms = static_cast<float>(static_cast<double>(o.total_ns) * 1e-6);
   if (!o.found()) return m;

@@ -78,6 +78,7 @@ msg::OpenSpace open_space_of(const adit::node::Sighting& s, const std::string& f
   m.blocked_lens = o.flags.blocked_lens;
   m.too_dark = o.flags.too_dark;
   m.too_bright = o.flags.too_bright;
+  m.dirty_lens = o.flags.dirty_lens;
   m.veil_fraction = static_cast<float>(o.veil_fraction);
   m.find_ms = static_cast<float>(static_cast<double>(o.total_ns) * 1e-6);
   if (!o.found()) return m;

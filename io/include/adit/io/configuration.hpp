@@ -22,6 +22,7 @@ struct Configuration {
   TrackerConfig tracker;
   SteeringConfig steering;
   FrameWatchConfig frame_watch;
+  LensWatchConfig lens_watch;
 };
 
 /// Calls visit(section name, section) for each section of a Configuration, which may be const.
@@ -34,12 +35,13 @@ void visit_sections(Conf& configuration, Visitor&& visit) {
   visit("tracker", configuration.tracker);
   visit("steering", configuration.steering);
   visit("frame_watch", configuration.frame_watch);
+  visit("lens_watch", configuration.lens_watch);
 }
 
 /// The sections that a navigator is made with: all of them.
 [[nodiscard]] inline NavigatorConfig navigator_config_of(const Configuration& configuration) {
   return {configuration.finder,  configuration.heading,  configuration.column_range, configuration.range_memory,
-          configuration.tracker, configuration.steering, configuration.frame_watch};
+          configuration.tracker, configuration.steering, configuration.frame_watch,  configuration.lens_watch};
 }
 
 /// Reads a YAML text over `configuration`: fields it does not name keep their value.

@@ -89,6 +89,7 @@ void visit_sections(Settings& s, Visitor&& visit) {
   visit("tracker", s.navigator.tracker);
   visit("steering", s.navigator.steering);
   visit("frame_watch", s.navigator.frame_watch);
+  visit("lens_watch", s.navigator.lens_watch);
 }
 template <class Settings, class Visitor>
 requires std::is_same_v<std::remove_const_t<Settings>, ControlConfig>

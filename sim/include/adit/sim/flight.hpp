@@ -66,6 +66,7 @@ struct FlightSettings {
   TrackerConfig tracker;
   SteeringConfig steering;
   FrameWatchConfig frame_watch;
+  LensWatchConfig lens_watch;
   std::uint64_t seed = 1;
 };
 

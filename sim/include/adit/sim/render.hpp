@@ -41,6 +41,7 @@ struct RigConfig {
   LensConfig lens;
   SensorConfig sensor;
   DustConfig dust;
+  DirtConfig dirt;
 };
 
 /// Names of the rigs that come with the project: flood_460lux, dim_40lux, narrow_beam, subt_x3.

@@ -107,6 +107,24 @@ void visit_fields(Config& c, Visitor&& visit) {
 }
 
 template <class Config, class Visitor>
+requires std::is_same_v<std::remove_const_t<Config>, DirtConfig>
+void visit_fields(Config& c, Visitor&& visit) {
+  visit(FieldNote{"spots", "", 0, 20, "Spots of dirt on the front glass; those after the first lie anywhere.",
+                  "0: a clean lens"},
+        c.spots);
+  visit(FieldNote{"azimuth_deg", "deg", -60, 60, "Place of the first, positive to the right.", "any"}, c.azimuth_deg);
+  visit(FieldNote{"elevation_deg", "deg", -60, 60, "Place of the first.", "any"}, c.elevation_deg);
+  visit(FieldNote{"radius_deg", "deg", 0.5, 40, "To where half of the opacity is reached.",
+                  "a splash of 3 mm, 15 mm before the aperture: 6"},
+        c.radius_deg);
+  visit(FieldNote{"edge_deg", "deg", 0.1, 40, "Width of its soft edge, within and beyond the radius.",
+                  "aperture over distance: 0.8 mm of a small camera at 15 mm is 3"},
+        c.edge_deg);
+  visit(FieldNote{"opacity", "", 0, 1, "Light that the middle of a spot takes away.", "mud: all; a film of oil: 0.3"},
+        c.opacity);
+}
+
+template <class Config, class Visitor>
 requires std::is_same_v<std::remove_const_t<Config>, SensorConfig>
 void visit_fields(Config& c, Visitor&& visit) {
   visit(FieldNote{"pixel_pitch_um", "um", 1, 20, "Side of a pixel.", "OV7720 of the PlayStation Eye: 6.0"},

@@ -24,6 +24,16 @@ struct LensConfig {
   float focus_m = 3.0f;              ///< distance in focus; grains near the lens become discs
 };
 
+/// Spots on the front glass, far out of focus. The glass turns with the camera, so they stand still in the frame.
+struct DirtConfig {
+  int spots = 0;             ///< 0: clean; those after the first lie anywhere in the frame, always at the same places
+  float azimuth_deg = 0.0f;  ///< place of the first, positive to the right
+  float elevation_deg = 0.0f;
+  float radius_deg = 6.0f;  ///< to where half of the opacity is reached
+  float edge_deg = 3.0f;    ///< width of the soft edge: the angle under which the glass sees the aperture
+  float opacity = 0.97f;    ///< share of the light that the middle of a spot takes away
+};
+
 /// The sensor, its amplifier and what the camera's processor makes of it.
 struct SensorConfig {
   float pixel_pitch_um = 6.0f;

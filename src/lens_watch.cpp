@@ -15,8 +15,8 @@ constexpr int kContrastMin = 16;  // levels from darkest to median, or there is 
 constexpr double kMemory = 30.0;  // looks
 constexpr float kAlways = 0.93f;  // share of the looks in which a place is dark: all but two of the memory
 constexpr float kOften = 0.5f;    // dirt over a dark part of the world is not always the darker one
-// Of the rim's cells. Fifteen courses: the rims of ways on had 0.62 and more somewhere, those of a smooth curve of 20
-// deg of turn in 40 m of radius 0.5; dirt 0.4 and less.
+// Of the rim's cells. On twelve courses the rims of ways on had 0.62 and more somewhere, those of a curve of 40 m
+// radius without any relief 0.5; dirt 0.4 and less.
 constexpr double kRimMost = 0.45, kRimMean = 0.2;
 constexpr int kCellsMin = 8;       // smaller dirt is not told as an opening
 constexpr double kCellsMax = 0.3;  // of the frame: what is larger has no rim to judge it by

@@ -217,6 +217,26 @@ class FrameWatchConfig:
     def __deepcopy__(self, memo: dict[int, Any]) -> FrameWatchConfig: ...
 
 @final
+class LensWatchConfig:
+    def __init__(self, *,
+        turn_step_rad: float = ...,
+        turn_min_rad: float = ...,
+        looks_min: int = ...,
+        dark_fraction: float = ...,
+        rim_rad: float = ...,
+    ) -> None: ...
+    turn_step_rad: float
+    turn_min_rad: float
+    looks_min: int
+    dark_fraction: float
+    rim_rad: float
+    @staticmethod
+    def fields() -> dict[str, Field]: ...
+    def to_dict(self) -> dict[str, Any]: ...
+    def __copy__(self) -> LensWatchConfig: ...
+    def __deepcopy__(self, memo: dict[int, Any]) -> LensWatchConfig: ...
+
+@final
 class Camera:
     def __init__(
         self, width: int, height: int, *, focal_length_x_px: float, focal_length_y_px: float,
@@ -362,6 +382,7 @@ class Navigator:
         self, config: Config = ..., camera: Optional[Camera] = None, *, heading: HeadingConfig = ...,
         column_range: ColumnRangeConfig = ..., range_memory: RangeMemoryConfig = ..., tracker: TrackerConfig = ...,
         steering: SteeringConfig = ..., frame_watch: FrameWatchConfig = ...,
+        lens_watch: LensWatchConfig = ...,
     ) -> None: ...
     def update(
         self, frame: Frame, stamp_s: float, *, yaw_rate_rad_s: Optional[float] = None,

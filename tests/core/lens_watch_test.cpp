@@ -16,7 +16,7 @@ namespace {
 constexpr int kWidth = 160, kHeight = 120;
 
 /// A black disc with a soft edge, at the same place of every frame.
-void soil(test::Frame& frame, double u_px = 116.0, double v_px = 36.0, double radius_px = 12.0) {
+void soil(test::Frame& frame, double u_px = 116.0, double v_px = 28.0, double radius_px = 12.0) {
   for (int v = 0; v < frame.height; ++v)
     for (int u = 0; u < frame.width; ++u) {
       const double passed = std::clamp((std::hypot(u - u_px, v - v_px) - radius_px) / 6.0 + 0.5, 0.02, 1.0);
@@ -69,7 +69,7 @@ TEST(LensWatch, DirtIsNamedWhileTheVehicleTurns) {
   ASSERT_EQ(watch.spots().size(), 1u);
   const DirtSpot& spot = watch.spots()[0];
   EXPECT_NEAR(0.5 * (spot.left + spot.right), 58.0, 1.5);
-  EXPECT_NEAR(0.5 * (spot.top + spot.bottom), 18.0, 1.5);
+  EXPECT_NEAR(0.5 * (spot.top + spot.bottom), 14.0, 1.5);
 }
 
 TEST(LensWatch, NothingIsKnownWithoutATurn) {
@@ -122,8 +122,8 @@ TEST(LensWatch, TheNextOpeningBecomesTheBest) {
   seen.rule = Rule::kEnclosed;
   seen.opening_count = 2;
   Opening& dirt = seen.openings[0];
-  dirt.top_left_px = {104, 24};
-  dirt.bottom_right_px = {127, 47};
+  dirt.top_left_px = {104, 16};
+  dirt.bottom_right_px = {127, 39};
   dirt.confidence = 0.9;
   Opening& way = seen.openings[1];
   way.top_left_px = {40, 40};
@@ -137,8 +137,8 @@ TEST(LensWatch, TheNextOpeningBecomesTheBest) {
   EXPECT_EQ(seen.bearing.azimuth_rad, -0.2);
   EXPECT_EQ(seen.confidence, 0.8);
   seen.openings[0] = dirt = Opening{};
-  seen.openings[0].top_left_px = {104, 24};
-  seen.openings[0].bottom_right_px = {127, 47};
+  seen.openings[0].top_left_px = {104, 16};
+  seen.openings[0].bottom_right_px = {127, 39};
   watch.take_out(seen);
   EXPECT_EQ(seen.status, Status::kNoOpening);
   EXPECT_EQ(seen.opening_count, 0);
@@ -158,7 +158,7 @@ TEST(LensWatch, TheNavigatorSaysSo) {
     navigator.steer(sight, 0.05 * i, {rate_rad_s, 1.0});
     is_named = is_named || sight.open_space.flags.dirty_lens;
     if (is_named && sight.open_space.found()) {
-      EXPECT_GT(std::hypot(sight.open_space.centroid_px.u_px - 116.0, sight.open_space.centroid_px.v_px - 36.0), 6.0)
+      EXPECT_GT(std::hypot(sight.open_space.centroid_px.u_px - 116.0, sight.open_space.centroid_px.v_px - 28.0), 6.0)
           << i;
     }
   }

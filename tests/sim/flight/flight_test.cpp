@@ -107,7 +107,7 @@ TEST(Flight, OtherSettingsHoldFromTheNextFrameOn) {
   FlightSettings s = settings(4);
   s.flight.time_max_s = 6.0;
   const Flown unchanged = fly(world, scene, s);
-  NavigatorConfig other{s.finder, s.heading, {}, {}, {}, {}, {}};
+  NavigatorConfig other{s.finder, s.heading, {}, {}, {}, {}, {}, {}};
   other.finder.method = Method::kAdit;
   test::StandIn eye(scene);
   Flight flight(s, world, scene, eye);

@@ -51,6 +51,7 @@ void add_options(CLI::App& eval, Options& options) {
   add_configuration_options(eval, options.finder);
   eval.add_option("--camera", options.finder.camera_file, "Calibration, for sets without a camera.yaml")
       ->type_name("FILE.yaml");
+  add_lamp_option(eval, options.finder);
   eval.add_flag("--sequence", options.sequence, "Frames of a place follow each other in time: jitter");
   eval.add_option("--csv", options.csv, "Figures as CSV; - is standard output, instead of the text")->type_name("FILE");
   eval.add_option("--json", options.json, "Figures and all answers as JSON")->type_name("FILE");
@@ -83,6 +84,7 @@ bool judges_published(const Options& options, const FinderConfig& config) {
 /// The methods of --method, the tables, the baselines; no name twice.
 std::vector<Contender> contenders_of(const Options& options, const FinderConfig& config) {
   const std::vector<std::string> known = known_methods();
+  const LampPattern lamp = lamp_of(options.finder);
   std::vector<Contender> all;
   for (const std::string& name : options.methods.empty() ? known : options.methods) {
     FinderConfig one = config;
@@ -91,7 +93,7 @@ std::vector<Contender> contenders_of(const Options& options, const FinderConfig&
       for (const std::string& k : known) list += (list.empty() ? "" : ", ") + k;
       throw CLI::ValidationError("--method", "'" + name + "' is not known; known are: " + list);
     }
-    all.push_back(finder_contender(name, one));
+    all.push_back(finder_contender(name, one, lamp));
   }
   for (const std::string& table : options.tables) {
     const std::size_t at = table.find('=');

@@ -19,7 +19,9 @@ GivenAnswer found_at(Pixel place) { return {{true, place, eval::kUnknown, {}}, "
 
 class FinderAnswerer : public Answerer {
  public:
-  explicit FinderAnswerer(const FinderConfig& config) : config_(config), plain_(config) {}
+  FinderAnswerer(const FinderConfig& config, const LampPattern& lamp) : config_(config), lamp_(lamp), plain_(config) {
+    plain_.set_lamp(lamp_);
+  }
 
   GivenAnswer answer(const ShownFrame& shown) override {
     const OpenSpace found = finder_of(shown).find(io::view_of(shown.pixels));
@@ -46,12 +48,13 @@ class FinderAnswerer : public Answerer {
                       model_.principal_point_x_px == model.principal_point_x_px &&
                       model_.principal_point_y_px == model.principal_point_y_px &&
                       model_.distortion_model == model.distortion_model && model_.distortion == model.distortion;
-    if (!same) calibrated_.emplace(config_, shown.camera);
+    if (!same) calibrated_.emplace(config_, shown.camera).set_lamp(lamp_);
     model_ = model;
     return *calibrated_;
   }
 
   FinderConfig config_;
+  LampPattern lamp_;
   OpenSpaceFinder plain_;
   std::optional<OpenSpaceFinder> calibrated_;
   CameraModel model_;
@@ -123,8 +126,8 @@ std::vector<std::string> known_methods() {
   return names;
 }
 
-Contender finder_contender(const std::string& name, const FinderConfig& config) {
-  return {name, false, 0, [config] { return std::make_unique<FinderAnswerer>(config); }};
+Contender finder_contender(const std::string& name, const FinderConfig& config, const LampPattern& lamp) {
+  return {name, false, 0, [config, lamp] { return std::make_unique<FinderAnswerer>(config, lamp); }};
 }
 
 std::vector<Contender> baselines(const FinderConfig& config, std::uint64_t seed) {

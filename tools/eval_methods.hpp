@@ -48,7 +48,9 @@ struct Contender {
 /// Names of all methods that there are.
 [[nodiscard]] std::vector<std::string> known_methods();
 
-[[nodiscard]] Contender finder_contender(const std::string& name, const FinderConfig& config);
+/// @param lamp  what is known of the vehicle's lamp, for method `adit`.
+[[nodiscard]] Contender finder_contender(const std::string& name, const FinderConfig& config,
+                                         const LampPattern& lamp = {});
 /// A table of somebody else's answers, with the columns of `adit run --csv`: source, status, confidence, u_px, v_px
 /// (or azimuth_deg, elevation_deg), openings. @throws io::InputError
 [[nodiscard]] Contender table_contender(const std::string& name, const std::string& path);

@@ -50,6 +50,7 @@ void explain(const ExplainOptions& options) {
                            .config = config,
                            .has_camera = camera.has_value()};
   OpenSpaceFinder finder = make_finder(config, camera);
+  finder.set_lamp(lamp_of(options.finder));
   subject.open_space = finder.explain(io::view_of(subject.frame), subject.stages);
   std::vector<std::uint8_t> file;
   const std::string extension = output == "-" ? ".png" : output.extension().string();
@@ -76,6 +77,7 @@ void add_explain(CLI::App& app, ExitCode& exit_code) {
       ->add_option("-o,--output", options->output, "Where the panel goes [IMAGE's name + -explained.png]; - is stdout")
       ->type_name("FILE.png");
   add_finder_options(*explain_app, options->finder);
+  add_lamp_option(*explain_app, options->finder);
   explain_app->footer("Example: adit explain data/tunnel.jpg -o panel.png");
   explain_app->callback([options, &exit_code] {
     explain(*options);

@@ -63,6 +63,7 @@ void FileUses::reads(const std::string& name, const fs::path& path) {
 void FileUses::reads(const FinderOptions& options) {
   reads("--config", options.config_file);
   reads("--camera", options.camera_file);
+  reads("--lamp", options.lamp_file);
 }
 
 void FileUses::reads_frames(const std::string& name, const std::vector<std::string>& inputs) {

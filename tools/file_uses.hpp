@@ -17,7 +17,7 @@ class FileUses {
  public:
   /// @param name  as people know it: "--config", "IMAGE"
   void reads(const std::string& name, const std::filesystem::path& path);
-  /// What --config and --camera name.
+  /// What --config, --camera and --lamp name.
   void reads(const FinderOptions& options);
   /// Images, folders of images, patterns, videos, bags. A folder stands for the images in it.
   void reads_frames(const std::string& name, const std::vector<std::string>& inputs);

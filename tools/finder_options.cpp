@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "adit/io/camera_file.hpp"
+#include "adit/io/lamp_file.hpp"
 
 namespace adit::tools {
 
@@ -21,6 +22,11 @@ void add_finder_options(CLI::App& subcommand, FinderOptions& options) {
   subcommand.add_option("--camera", options.camera_file, "Calibration, a ROS camera_info file")->type_name("FILE.yaml");
 }
 
+void add_lamp_option(CLI::App& subcommand, FinderOptions& options) {
+  subcommand.add_option("--lamp", options.lamp_file, "The lamp's pattern, as 'adit run --learn-lamp' wrote it")
+      ->type_name("FILE.yaml");
+}
+
 io::Configuration configuration_of(const FinderOptions& options) {
   io::Configuration configuration;
   if (!options.config_file.empty()) io::read_configuration(options.config_file, configuration);
@@ -36,6 +42,10 @@ io::Configuration configuration_of(const FinderOptions& options) {
 std::optional<Camera> camera_of(const FinderOptions& options) {
   if (options.camera_file.empty()) return std::nullopt;
   return Camera(io::read_camera(options.camera_file));
+}
+
+LampPattern lamp_of(const FinderOptions& options) {
+  return options.lamp_file.empty() ? LampPattern{} : io::read_lamp(options.lamp_file);
 }
 
 OpenSpaceFinder make_finder(const FinderConfig& config, const std::optional<Camera>& camera) {

@@ -9,6 +9,7 @@
 #include "adit/camera.hpp"
 #include "adit/finder.hpp"
 #include "adit/io/configuration.hpp"
+#include "adit/lamp.hpp"
 
 namespace adit::tools {
 
@@ -16,6 +17,7 @@ struct FinderOptions {
   std::string method;
   std::string config_file;
   std::string camera_file;
+  std::string lamp_file;
   std::vector<std::string> settings;
 };
 
@@ -24,11 +26,17 @@ void add_configuration_options(CLI::App& subcommand, FinderOptions& options);
 /// Adds --method, --config, --camera and --set.
 void add_finder_options(CLI::App& subcommand, FinderOptions& options);
 
+/// Adds --lamp.
+void add_lamp_option(CLI::App& subcommand, FinderOptions& options);
+
 /// The defaults, with --config over them, then --method, then each --set. @throws io::ConfigError
 [[nodiscard]] io::Configuration configuration_of(const FinderOptions& options);
 
 /// The camera of --camera, if given. @throws io::ConfigError
 [[nodiscard]] std::optional<Camera> camera_of(const FinderOptions& options);
+
+/// The pattern of --lamp; none where it is not given. @throws io::ConfigError
+[[nodiscard]] LampPattern lamp_of(const FinderOptions& options);
 
 /// A finder for the configuration and, if there is one, the camera.
 [[nodiscard]] OpenSpaceFinder make_finder(const FinderConfig& config, const std::optional<Camera>& camera);

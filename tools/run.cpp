@@ -35,7 +35,6 @@ struct RunOptions {
   std::int64_t limit = 0;  ///< 0: none
   Shard shard;
   bool flash = false;
-  std::string lamp;        ///< file; empty: none
   std::string learn_lamp;  ///< file; empty: none
   bool quiet = false;
 };
@@ -94,7 +93,7 @@ class Run {
     settings.jobs = options_.jobs;
     settings.flash = options_.flash;
     settings.learn_lamp = !options_.learn_lamp.empty();
-    if (!options_.lamp.empty()) settings.lamp = io::read_lamp(options_.lamp);
+    if (!options_.finder.lamp_file.empty()) settings.lamp = lamp_of(options_.finder);
     settings.wants_panel = !options_.outputs.video.empty();
     settings.wants_png = !options_.outputs.frames_folder.empty();
     return settings;
@@ -262,7 +261,7 @@ void add_options(CLI::App& run, RunOptions& options) {
   run.add_flag("--sequence", options.sources.images_are_sequence,
                "Images follow each other in time: steering remembers");
   run.add_flag("--flash", options.flash, "The lamp is on and off in turns: judge each frame with the one before");
-  run.add_option("--lamp", options.lamp, "The lamp's pattern, as --learn-lamp wrote it")->type_name("FILE.yaml");
+  add_lamp_option(run, options.finder);
   run.add_option("--learn-lamp", options.learn_lamp, "Learn the lamp's pattern from sequences")->type_name("FILE.yaml");
   run.add_option("--jobs", options.jobs, "Threads; the output is the same with any (all cores)")
       ->type_name("N")
@@ -280,7 +279,6 @@ void check_files(RunOptions& options) {
   FileUses uses;
   uses.reads_frames("INPUT", options.inputs);
   uses.reads(options.finder);
-  uses.reads("--lamp", options.lamp);
   check_outputs(options.outputs, uses);
   uses.writes("--learn-lamp", options.learn_lamp);
 }

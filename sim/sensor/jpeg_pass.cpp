@@ -42,7 +42,7 @@ struct Strip {
   int packed_begin, packed_end;  ///< with what the neighbours lend
   std::unique_ptr<unsigned char, decltype(&std::free)> packed{nullptr, &std::free};
   unsigned long size = 0;
-  std::string fault;
+  std::string fault{};
 };
 
 std::vector<Strip> strips_of(int height, int most) {

@@ -283,4 +283,33 @@ TEST(Eval, WrongUsageAndMissingFiles) {
   }
 }
 
+// A lamp that lights the right side alone: taken out of the frames, the left side is rock as bright as the right.
+TEST(Eval, JudgesByTheLampsPatternAndSoDoesExplain) {
+  const ScratchFolder folder;
+  const std::string set = write_set(folder / "drift", draw_set(folder / "drift"));
+  const std::string lamp = (folder / "lamp.yaml").string();
+  write_text(lamp, "lobe: [0, 2.5, 0, 0, 0, 0]\nframes: 1000\n");
+  const std::string image = (folder / "drift" / "frame0.png").string();
+  std::string answers[2];
+  std::string panels[2];
+  for (const int with : {0, 1}) {
+    const std::string json_file = (folder / ("f" + std::to_string(with) + ".json")).string();
+    const std::string panel = (folder / ("panel" + std::to_string(with) + ".png")).string();
+    std::vector<std::string> eval = {"eval", set, "--method", "adit", "--no-baselines", "--json", json_file, "--quiet"};
+    std::vector<std::string> explain = {"explain", image, "--output", panel};
+    for (auto* command : {&eval, &explain})
+      if (with == 1) command->insert(command->end(), {"--lamp", lamp});
+    ASSERT_EQ(run_adit(eval).exit_code, 0);
+    ASSERT_EQ(run_adit(explain).exit_code, 0);
+    answers[with] = read_text(json_file);
+    panels[with] = read_text(panel);
+  }
+  EXPECT_NE(answers[0], answers[1]);
+  EXPECT_NE(panels[0], panels[1]);
+  const Outcome missing = run_adit({"eval", set, "--lamp", (folder / "none.yaml").string(), "--quiet"});
+  EXPECT_NE(missing.exit_code, 0);
+  EXPECT_NE(missing.err.find("none.yaml"), std::string::npos) << missing.err;
+  EXPECT_EQ(run_adit({"explain", image, "--lamp", lamp, "--output", lamp}).exit_code, 2) << "it is read";
+}
+
 }  // namespace

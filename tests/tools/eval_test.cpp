@@ -290,11 +290,13 @@ TEST(Eval, JudgesByTheLampsPatternAndSoDoesExplain) {
   const std::string lamp = (folder / "lamp.yaml").string();
   write_text(lamp, "lobe: [0, 2.5, 0, 0, 0, 0]\nframes: 1000\n");
   const std::string image = (folder / "drift" / "frame0.png").string();
+  const std::string json_files[] = {(folder / "without.json").string(), (folder / "with.json").string()};
+  const std::string panel_files[] = {(folder / "without.png").string(), (folder / "with.png").string()};
   std::string answers[2];
   std::string panels[2];
   for (const int with : {0, 1}) {
-    const std::string json_file = (folder / ("f" + std::to_string(with) + ".json")).string();
-    const std::string panel = (folder / ("panel" + std::to_string(with) + ".png")).string();
+    const std::string& json_file = json_files[with];
+    const std::string& panel = panel_files[with];
     std::vector<std::string> eval = {"eval", set, "--method", "adit", "--no-baselines", "--json", json_file, "--quiet"};
     std::vector<std::string> explain = {"explain", image, "--output", panel};
     for (auto* command : {&eval, &explain})

@@ -134,7 +134,7 @@ void LensWatch::look(const ImageView& frame) noexcept {
   note_look();
   // Both ways: through a long curve to one side, steered well, a way on stands still by itself.
   const double turned_rad = std::min({high_rad_ - low_rad_, left_rad_, right_rad_});
-  if (looks_ >= config_.looks_min && turned_rad >= config_.turn_min_rad) find_spots();
+  if (looks_ >= config_.looks_min && turned_rad >= config_.each_way_min_rad) find_spots();
 }
 
 void LensWatch::note_look() noexcept {

@@ -24,7 +24,7 @@ namespace ADIT_API adit {
 /// Every constant of the watch; unit, range and source of each field stand in visit_fields() (navigator_fields.hpp).
 struct LensWatchConfig {
   double turn_step_rad = 0.035;
-  double turn_min_rad = 0.2;
+  double each_way_min_rad = 0.2;
   int looks_min = 10;
   double dark_fraction = 0.35;
   double rim_rad = 0.05;

@@ -133,9 +133,9 @@ void visit_fields(Config& c, Visitor&& visit) {
   visit(FieldNote{"turn_step_rad", "rad", 0.01, 1, "The lens is looked at whenever the vehicle has turned by this.",
                   "two cells of 75 deg / 80"},
         c.turn_step_rad);
-  visit(FieldNote{"turn_min_rad", "rad", 0.05, 6, "Turned to the left, and to the right, before dirt is named.",
+  visit(FieldNote{"each_way_min_rad", "rad", 0.05, 6, "Turned to the left, and to the right, before dirt is named.",
                   "three times the rim and its width: a way on has moved through it"},
-        c.turn_min_rad);
+        c.each_way_min_rad);
   visit(FieldNote{"looks_min", "", 3, 1000, "Looks before dirt is named.", "a smooth curve's rim shows itself by then"},
         c.looks_min);
   visit(FieldNote{"dark_fraction", "", 0.05, 0.9,

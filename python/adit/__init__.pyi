@@ -220,13 +220,13 @@ class FrameWatchConfig:
 class LensWatchConfig:
     def __init__(self, *,
         turn_step_rad: float = ...,
-        turn_min_rad: float = ...,
+        each_way_min_rad: float = ...,
         looks_min: int = ...,
         dark_fraction: float = ...,
         rim_rad: float = ...,
     ) -> None: ...
     turn_step_rad: float
-    turn_min_rad: float
+    each_way_min_rad: float
     looks_min: int
     dark_fraction: float
     rim_rad: float
